@@ -15,7 +15,16 @@ constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
 /// m: where side A of a contact is.
 Vec3 place_of(const SimulationState& s, const ContactPoint& contact) {
-  if (!contact.vertex.is_none()) return s.mechanics.vertices.position[contact.vertex.index()];
+  const std::vector<Vec3>& position = s.mechanics.vertices.position;
+  if (!contact.vertex.is_none()) return position[contact.vertex.index()];
+  if (contact.is_body_a()) {
+    const auto corners = s.cells.map.corners(contact.tetrahedron_a);
+    Vec3 place = Vec3::Zero();
+    for (std::size_t i = 0; i < 4; ++i) {
+      place += contact.weights_a[i] * position[corners[i].index()];
+    }
+    return place;
+  }
   const Shape& shape = s.obstacles[contact.ball].shape;
   if (contact.corner != ContactPoint::none) return corner_at(shape, contact.corner);
   const auto* ball = std::get_if<Sphere>(&shape);

@@ -162,8 +162,9 @@ constexpr auto member_names(const Partner*) {
 }
 constexpr auto member_names(const ContactMemory::Remembered*) { return names("contact", "step"); }
 constexpr auto member_names(const ContactPoint*) {
-  return names("vertex", "ball", "corner", "tetrahedron", "obstacle", "face", "place", "weights",
-               "normal", "offset", "gap_start", "friction", "impulse");
+  return names("vertex", "tetrahedron_a", "ball", "corner", "tetrahedron", "obstacle", "face", "place",
+               "place_a", "weights_a", "weights", "normal", "offset", "gap_start", "friction",
+               "impulse");
 }
 constexpr auto member_names(const ImpactWindow*) { return names("quiet", "sub_step"); }
 constexpr auto member_names(const LadderState*) { return names("still", "rubble"); }

@@ -236,10 +236,7 @@ void note_pushed(Boundary& boundary, const MechanicsState& m,
   const auto see = [&](ComponentId id) {
     if (boundary.component[id.index()] == Role::carried) boundary.pushed[id.index()] = 1;
   };
-  for (const ContactPoint& c : contacts) {
-    if (!c.vertex.is_none()) see(m.vertices.component[c.vertex.index()]);
-    if (!c.tetrahedron.is_none()) see(m.elements.component[c.tetrahedron.index()]);
-  }
+  for (const ContactPoint& c : contacts) for_each_component(c, m, see);
 }
 
 void spread_boundary(Boundary& boundary, SimulationState& s, const Vec3& gravity, double left,

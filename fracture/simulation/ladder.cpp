@@ -161,12 +161,8 @@ void keep_awake_with_neighbours(LadderScratch& ladder, const SimulationState& s)
              (s.obstacles[row].mass || !s.obstacles[row].velocity.isZero(0));
     };
     const bool moved = moves(c.ball) || moves(c.obstacle);
-    if (c.ball == ContactPoint::none) {
-      sides[0] = s.mechanics.vertices.component[c.vertex.index()].index();
-    }
-    if (c.obstacle == ContactPoint::none) {
-      sides[1] = s.mechanics.elements.component[c.tetrahedron.index()].index();
-    }
+    if (c.is_body_a()) sides[0] = component_of_a(c, s.mechanics).index();
+    if (c.is_body_b()) sides[1] = component_of_b(c, s.mechanics).index();
     for (const std::size_t side : sides) {
       if (moved && side != outside) rested[side] = 0;
     }
@@ -249,12 +245,7 @@ double flight_stress_bound(const MechanicsState& state, const Component& compone
 void note_touches(std::vector<char>& touched, const MechanicsState& m,
                   std::span<const ContactPoint> contacts) {
   for (const ContactPoint& c : contacts) {
-    if (c.ball == ContactPoint::none) {
-      touched[m.vertices.component[c.vertex.index()].index()] = 1;
-    }
-    if (c.obstacle == ContactPoint::none) {
-      touched[m.elements.component[c.tetrahedron.index()].index()] = 1;
-    }
+    for_each_component(c, m, [&](ComponentId id) { touched[id.index()] = 1; });
   }
 }
 

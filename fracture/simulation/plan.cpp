@@ -23,6 +23,9 @@ namespace {
 /// push go to the far end and come back once.
 constexpr double waves_stay = 2;
 
+/// Parts of a step at most in which pieces would pass each other in longer ones.
+constexpr std::uint32_t most_divisions = 256;
+
 bool has_windows(const Scene& scene) {
   return scene.impact.window && scene.integrator.integrator == Integrator::floating_frame &&
          scene.contact.method == ContactMethod::impulses;
@@ -167,6 +170,15 @@ PlannedPart next_of_members(StepPlan& plan, const Scene& scene, SimulationState&
       static_cast<double>(plan.left) * sub_step};
 }
 
+/// The step in twice as many parts, those that are left.
+void divide(StepPlan& plan) {
+  if (plan.phase == StepPlan::Phase::whole) plan.taken = 0;
+  plan.phase = StepPlan::Phase::equal;
+  plan.divides = true;
+  plan.parts *= 2;
+  plan.taken *= 2;
+}
+
 /// How many components were struck without the energy to break.
 void count_spared(ImpactReport& report, const Blows& blows) {
   report.spared_by_pair += static_cast<std::uint32_t>(blows.spared_by_pair.size());
@@ -305,12 +317,18 @@ std::optional<PlannedPart> next_part(StepPlan& plan, const Scene& scene, Simulat
     return std::nullopt;
   }
   switch (plan.phase) {
-    case Phase::whole:
+    case Phase::whole: {
+      StepPart undivided = whole;
+      undivided.divides = is_floating(scene.integrator.integrator);
       return anybody_moves(plan, s)
-                 ? PlannedPart{whole, h}
+                 ? PlannedPart{undivided, h}
                  : PlannedPart{.part = whole, .length = h, .moves = false, .breaks = false};
-    case Phase::equal:
-      return PlannedPart{{}, h / plan.parts};
+    }
+    case Phase::equal: {
+      StepPart part;
+      part.divides = plan.divides && plan.parts < most_divisions;
+      return PlannedPart{part, h / plan.parts};
+    }
     case Phase::others:
       gather_members(plan, s, h);
       return PlannedPart{.part = whole, .length = h, .moves = take_the_others(plan, s)};
@@ -326,6 +344,7 @@ std::optional<PlannedPart> next_part(StepPlan& plan, const Scene& scene, Simulat
 void note_part(StepPlan& plan, const PlannedPart& part, const ContactStepResult& result,
                const Scene& scene, SimulationState& s) {
   using Phase = StepPlan::Phase;
+  if (result.passes) return divide(plan);
   ++plan.taken;
   count_spared(plan.impact, result.blows);
   if (plan.phase == Phase::members) {

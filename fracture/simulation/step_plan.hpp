@@ -16,7 +16,7 @@ struct StepPlan {
   enum class Phase {
     whole,        ///< one part for everybody
     whole_done,   ///< which was taken
-    equal,        ///< `parts` of one length, of an explicit integrator
+    equal,        ///< `parts` of one length: of an explicit integrator, or of a divided step
     others,       ///< those whom open windows do not concern, the whole step
     others_done,  ///< which was taken
     members,      ///< then those whom windows do concern, in sub-steps
@@ -26,6 +26,7 @@ struct StepPlan {
   Vec3 gravity = Vec3::Zero();  ///< m/s^2, over the step
   std::uint32_t parts = 1;      ///< of `equal`
   std::uint32_t taken = 0;      ///< parts so far
+  bool divides = false;         ///< parts in which pieces would pass each other are divided
 
   /// Members of the part at hand; rows of components and obstacles, empty: all.
   std::vector<char> components, balls;

@@ -5,9 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mechanics/contact/response/contact_bounce.hpp"
-#include "mechanics/contact/detection/contact_partners.hpp"
 #include "mechanics/contact/contact_step.hpp"
+#include "mechanics/contact/detection/contact_overlaps.hpp"
+#include "mechanics/contact/detection/contact_partners.hpp"
+#include "mechanics/contact/response/contact_bounce.hpp"
 #include "mechanics/contact/shapes/obstacle_geometry.hpp"
 #include "mechanics/state/living.hpp"
 #include "topology/base/sort_unique.hpp"
@@ -26,148 +27,7 @@ StepPaths paths_of(const ContactStep& step) {
           step.h(),        step.pass.input.members, step.pass.input.neighbours};
 }
 
-double target_gap(const ContactPoint& contact) { return std::min(0.0, contact.gap_start); }
-
-double push_out(const ContactStep& step, const ContactPoint& contact) {
-  const double too_deep = -step.settings.allowed_penetration - contact.gap_start;
-  return std::clamp(too_deep, 0.0, step.settings.push_out_speed * step.h());
-}
-
-double row_error(const ContactRow& row) {
-  const double pressed = row.normal.dot(row.impulse);
-  const double gap = row.gap + row.compliance * pressed;
-  return pressed > 0 ? std::max(-gap, gap - row.push) : -gap;
-}
-
 namespace {
-
-void predict_balls(ContactStep& step) {
-  const std::vector<Obstacle>& obstacles = step.pass.obstacles;
-  step.scratch.ball_end.resize(obstacles.size());
-  if (step.is_wave()) return predict_wave_balls(step);
-  const double h = step.h();
-  for (std::size_t k = 0; k < obstacles.size(); ++k) {
-    if (!obstacles[k].mass) continue;
-    Vec3 motion = h * obstacles[k].velocity;
-    if (!step.scratch.blows.ball_touched[k]) motion += 0.5 * h * h * step.pass.input.loads.gravity;
-    const Obstacle& free = obstacles[k];
-    step.scratch.ball_end[k] = {pose_of(free.shape).centre + motion,
-                                turned_obstacle(free, angular_momentum_of(free), h)};
-  }
-}
-
-/// Gaps and slips of the rows at the predicted end of the step. Gives the largest error among the
-/// contacts: an overlap, or an impulse where there is a gap.
-double measure_rows(ContactStep& step) {
-  if (step.is_wave()) return measure_wave_rows(step);
-  const StepPaths paths = paths_of(step);
-  double worst = 0;
-  for (std::size_t k = 0; k < step.contacts.size(); ++k) {
-    const ContactPoint& contact = step.contacts[k];
-    ContactRow& row = step.scratch.bodies.rows[k];
-    if (k < step.tied_rows) {
-      worst = std::max(worst, measure_tie(row, step.ties[k], contact.impulse, paths, {}));
-      continue;
-    }
-    const ContactPath path = path_of(contact, paths);
-    row.gap = predicted_gap_error(step, contact, path);
-    row.push = push_out(step, contact);
-    row.compliance = step.settings.compliance / step.h();
-    row.friction = contact.friction;
-    row.impulse = contact.impulse;
-    row.slip = path.end - path.start + relative_shift(step, contact);
-    for (std::uint32_t e = 0; e < row.end_count; ++e) {
-      const std::uint32_t ball = step.scratch.bodies.ball[row.ends[e].body];
-      // Ways of what is no sphere have their turns in them.
-      if (ball == ContactBodies::none || !is_sphere(step.pass.obstacles[ball])) continue;
-      row.slip +=
-          step.h() * row.ends[e].weight * step.pass.obstacles[ball].spin.cross(row.ends[e].arm);
-    }
-    worst = std::max(worst, row_error(row));
-  }
-  return worst;
-}
-
-/// Solves, hands the changes on, and predicts what was touched.
-void solve_pass(ContactStep& step) {
-  ContactBodies& bodies = step.scratch.bodies;
-  // With a unit step, displacements are velocities.
-  const double over = step.is_wave() ? step.h() : 1;
-  const SolveOutcome outcome =
-      solve_contacts(bodies.rows, bodies.bodies,
-                     {step.is_wave() ? 1 : step.h(), step.report.tolerated / over,
-                      step.settings.max_iterations, step.pass.input.hurry});
-  step.report.iterations += outcome.iterations;
-  step.report.converged = step.report.converged && outcome.converged;
-  step.scratch.change.resize(step.contacts.size());
-  for (std::size_t k = 0; k < step.contacts.size(); ++k) {
-    step.scratch.change[k] = bodies.rows[k].impulse - step.contacts[k].impulse;
-    step.contacts[k].impulse = bodies.rows[k].impulse;
-  }
-  if (step.is_wave()) {
-    apply_wave_changes(step);
-  } else {
-    apply_changes(step.scratch.blows, bodies, step.scratch.change, step.pass);
-    predict_touched(step.scratch.blows, step.pass);
-  }
-  predict_balls(step);
-  ++step.report.passes;
-}
-
-/// Further passes are for methods whose bodies answer as the response says: others turn what it is
-/// off by into impulses, the more the more passes there are.
-int most_passes(const ContactStep& step) {
-  constexpr int for_others = 3;
-  const IntegratorSettings& method = step.pass.input.settings;
-  const bool answers =
-      is_floating(method.integrator) && method.isolated == IsolatedTetrahedra::rigid;
-  return answers ? step.settings.max_passes : std::min(step.settings.max_passes, for_others);
-}
-
-/// Passes until the predicted gaps are as solved for. What remains is the residual. False when
-/// nothing was done for the sake of a blow.
-bool resolve(ContactStep& step) {
-  double deepest = 0;
-  int most = most_passes(step);
-  // Bounds of ties follow the openings that a pass predicts.
-  constexpr int passes_of_ties = 8;
-  if (step.tied_rows > 0) most = std::max(most, passes_of_ties);
-  for (int k = 0; k <= most; ++k) {
-    const std::size_t before = step.contacts.size();
-    hold_ties(step, k == 0);
-    if (!meet(step, deepest) && k == 0) return false;
-    deepest = find_new_contacts(step, deepest);
-    if (deepest == 0 && step.tied_rows == 0) return true;
-    // By default a ten thousandth of the depth that is never pushed out is as good as nothing, in
-    // the many short sub-steps of a wave a thousandth: pieces that lie in a heap are not solved for
-    // further. A finer tolerance, say 1e-8, gets its gaps.
-    const double asked = step.settings.tolerance / 1e-5;
-    const double nothing = (step.is_wave() ? 1e-3 : 1e-4) * step.settings.allowed_penetration;
-    step.report.tolerated = std::max(step.settings.tolerance * deepest, asked * asked * nothing);
-    for (std::size_t tie = 0; tie < step.tied_rows; ++tie) {
-      const double fine = tie_tolerance * opening_end_of(step.ties[tie]);
-      step.report.tolerated = std::min(step.report.tolerated, fine);
-    }
-    const bool is_last = k == most || (k > 0 && step.pass.input.is_hurried());
-    if (is_last) {
-      step.report.residual = std::max(measure_rows(step), leave_new_contacts(step));
-      break;
-    }
-    take_new_contacts(step);
-    if (k == 0 || step.contacts.size() != before) {
-      gather_bodies(step.scratch.bodies, step.contacts, step.pass);
-    } else {
-      for (ContactRow& row : step.scratch.bodies.rows) row.guess.setZero();
-    }
-    step.report.residual = measure_rows(step);
-    const bool settled =
-        k > 0 && step.contacts.size() == before && step.report.residual <= step.report.tolerated;
-    if (settled) break;
-    if (k == 0) guess_from_last_step(step);
-    solve_pass(step);
-  }
-  return true;
-}
 
 void move_obstacles(ContactStep& step) {
   const Vec3 fall = step.h() * step.pass.input.loads.gravity;
@@ -331,7 +191,11 @@ ContactStepResult advance_with_contact(const ContactWorld& world, const StepInpu
     predict_balls(step);
   } else {
     update_partners(world.memory, step.scratch.detect, paths_of(step));
+    remember_start(step);
     result.adopted = resolve(step);
+    result.passes = result.adopted && has_passing(step);
+    result.adopted = result.adopted && !result.passes;
+    if (!result.adopted) put_back(step);
   }
   if (result.adopted) {
     result.ties = finish_ties(step);

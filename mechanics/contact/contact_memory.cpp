@@ -29,8 +29,7 @@ bool concerns_step(const ContactStep& step, const ContactPoint& contact) {
   };
   see_ball(contact.ball);
   see_ball(contact.obstacle);
-  if (!contact.vertex.is_none()) see(state.vertices.component[contact.vertex.index()]);
-  if (!contact.tetrahedron.is_none()) see(state.elements.component[contact.tetrahedron.index()]);
+  for_each_component(contact, state, see);
   return all && any;
 }
 

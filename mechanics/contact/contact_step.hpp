@@ -14,19 +14,30 @@ namespace sunder {
 
 /// What tells contacts apart.
 using ContactKey =
-    std::tuple<std::uint32_t, std::uint32_t, VertexId, std::uint32_t, TetId, HalfFaceId,
-               std::uint8_t>;
+    std::tuple<std::uint32_t, std::uint32_t, VertexId, TetId, std::uint8_t, std::uint32_t, TetId,
+               HalfFaceId, std::uint8_t>;
 inline ContactKey key_of(const ContactPoint& c) {
-  return {c.ball, c.corner, c.vertex, c.obstacle, c.tetrahedron, c.face, c.place};
+  return {c.ball,     c.corner,      c.vertex, c.tetrahedron_a, c.place_a,
+          c.obstacle, c.tetrahedron, c.face,   c.place};
 }
+
+/// What a step changes before it is adopted, as it was.
+struct StepStart {
+  std::vector<std::array<Vec3, 2>> momenta;  ///< row = ComponentId: P, L
+  std::vector<Rung> rungs;
+  std::vector<Obstacle> obstacles;
+  std::vector<Vec3> velocity;  ///< |V|, m/s
+};
 
 struct ContactScratch::Buffers {
   DetectScratch detect;
+  StepStart start;
   ContactBodies bodies;
   StepBlows blows;
   std::vector<Pose> ball_end;
   std::vector<Vec3> change;
   std::vector<ContactKey> known;
+  std::vector<char> rests;  ///< components, then obstacles: that begin on something
   /// Row = ComponentId, m/s^2 and rad/s^2 of free components; empty without surface loads.
   std::vector<std::array<Vec3, 2>> load_acceleration;
   std::vector<ContactPoint> left_out;  ///< that end too deep and were not solved for
@@ -34,6 +45,12 @@ struct ContactScratch::Buffers {
 
 /// One step at work.
 struct ContactStep {
+  /// What the next detection looks for.
+  enum class Look {
+    resting,   ///< all, but of bodies that rest on something only on what
+    all,
+    overlaps,  ///< tetrahedra that overlap as the step ends, once all else is solved
+  };
   ContactPass pass;
   ContactMemory& memory;
   const ContactSettings& settings;
@@ -46,6 +63,9 @@ struct ContactStep {
   std::size_t tied_rows = 0;            ///< so many of `contacts`, the first ones, are ties
   int tie_iterations = 0;
   double tie_residual = 0;
+  Look look = Look::all;
+  bool has_left = false;  ///< something was left to the next pass
+  bool stalled = false;   ///< the last solve ended near its tolerance (`SolveOutcome`)
 
   double h() const { return pass.input.settings.time_step; }
   Deformation deformation() const { return pass.input.part.deformation; }
@@ -63,6 +83,22 @@ std::array<Component*, 2> sides_of(const ContactStep& step, const ContactPoint& 
 
 /// Paths through the step as it is predicted now.
 StepPaths paths_of(const ContactStep& step);
+
+/// Keeps what a step changes before it is adopted.
+void remember_start(ContactStep& step);
+
+/// A step that is not taken leaves nothing behind.
+void put_back(ContactStep& step);
+
+/// Free obstacles at the end of the step.
+void predict_balls(ContactStep& step);
+
+/// Passes until the predicted gaps are as solved for. What remains is the residual. False when
+/// there are blows ahead.
+bool resolve(ContactStep& step);
+
+/// Whether pieces pass each other between the ends of the step, which it could be divided for.
+bool has_passing(ContactStep& step);
 
 /// Where the gap may be at the end of the step, m: no deeper than it began.
 double target_gap(const ContactPoint& contact);

@@ -48,6 +48,8 @@ struct StepPart {
   std::span<const double> threshold = {};
   /// Of a wave: C_w (`WaveScheme`) is this times a wave's way through a cell times K.
   double viscosity = 0.3;
+  /// A step in which pieces would pass each other, fast or in a spin, is not taken.
+  bool divides = false;
 };
 
 /// What a step moves, by rows of components and obstacles: 0 keeps still and meets nothing.

@@ -113,7 +113,9 @@ Vec3 way_of_obstacle(const AdoptedPart& part, std::uint32_t row, const Vec3& pla
 
 /// Where side A is as the part begins, m: a ball's centre.
 Vec3 start_of_side_a(const AdoptedPart& part, const ContactPoint& c) {
-  if (c.ball == ContactPoint::none) return part.before.position[c.vertex.index()];
+  if (c.is_body_a()) {
+    return nodes_of_a(c, part.input.corners).sum(part.before.position);
+  }
   const Shape& shape = part.before.obstacles[c.ball].shape;
   return c.corner == ContactPoint::none ? pose_of(shape).centre : corner_at(shape, c.corner);
 }
@@ -132,13 +134,13 @@ bool takes_blows(const AdoptedPart& part, const Component& c) {
   return c.rigid && !c.supported && part.input.part.deformation != Deformation::wave;
 }
 
-/// Way of a vertex over the part.
-Vec3 way_of_vertex(const AdoptedPart& part, VertexId v) {
+/// Way of side A, a point of a body, over the part.
+Vec3 way_of_body_a(const AdoptedPart& part, const ContactPoint& contact) {
   const MechanicsState& m = part.state.mechanics;
-  const Component& c = m.components[m.vertices.component[v.index()].index()];
-  const Vec3& start = part.before.position[v.index()];
+  const Component& c = m.components[component_of_a(contact, m).index()];
+  const Vec3 start = start_of_side_a(part, contact);
   if (takes_blows(part, c)) return way_after_blow(part, c, start);
-  return m.vertices.position[v.index()] - start;
+  return nodes_of_a(contact, part.input.corners).sum(m.vertices.position) - start;
 }
 
 /// Way of the point of side B: of a tetrahedron, or of an obstacle.
@@ -166,14 +168,13 @@ Vec3 way_of_other(const AdoptedPart& part, const ContactPoint& contact) {
 void add_contact_work(EnergyLedger& ledger, const AdoptedPart& part) {
   const double h = part.input.settings.time_step;
   for (const ContactPoint& c : part.result.contacts) {
-    const bool is_vertex = c.ball == ContactPoint::none;
     const Vec3 other = way_of_other(part, c);
     const Vec3 way =
-        is_vertex ? way_of_vertex(part, c.vertex)
-                  : way_of_obstacle(part, c.ball, start_of_side_a(part, c));
+        c.is_body_a() ? way_of_body_a(part, c)
+                      : way_of_obstacle(part, c.ball, start_of_side_a(part, c));
     const Vec3 force = c.impulse / h;
-    if (is_vertex) ledger.contact += force.dot(way);
-    if (!c.tetrahedron.is_none()) ledger.contact -= force.dot(other);
+    if (c.is_body_a()) ledger.contact += force.dot(way);
+    if (c.is_body_b()) ledger.contact -= force.dot(other);
     const Vec3 sliding = force - c.normal.dot(force) * c.normal;
     ledger.friction -= sliding.dot(way - other);
     const double parted = c.normal.dot(way - other);
@@ -232,9 +233,8 @@ void add_support_work(EnergyLedger& ledger, const AdoptedPart& part, const Compo
     given += pull.dot(led);
   }
   for (const ContactPoint& c : part.result.contacts) {
-    const bool is_a = !c.vertex.is_none() && m.vertices.component[c.vertex.index()] == component.id;
-    const bool is_b =
-        !c.tetrahedron.is_none() && m.elements.component[c.tetrahedron.index()] == component.id;
+    const bool is_a = component_of_a(c, m) == component.id;
+    const bool is_b = component_of_b(c, m) == component.id;
     outside += (int{is_a} - int{is_b}) * c.impulse;
   }
   const Vec3 momentum = component.momentum - before.momentum[component.id.index()];

@@ -114,13 +114,12 @@ std::vector<NodeImpulse> node_impulses(const HeldNodes& held, const AdoptedPart&
   const auto take = [&](VertexId v, const Vec3& impulse) {
     if (const auto row = held_row(held, v)) impulses[*row].impulse -= impulse;
   };
+  const auto take_all = [&](const TouchedNodes& nodes, const Vec3& impulse) {
+    for (std::size_t k = 0; k < nodes.count; ++k) take(nodes.row[k], nodes.share[k] * impulse);
+  };
   for (const ContactPoint& c : part.result.contacts) {
-    if (!c.vertex.is_none()) take(c.vertex, c.impulse);
-    if (c.tetrahedron.is_none()) continue;
-    const TouchedNodes touched = touched_nodes(c, m, part.input.corners);
-    for (std::size_t k = 0; k < touched.count; ++k) {
-      take(touched.row[k], -touched.share[k] * c.impulse);
-    }
+    if (c.is_body_a()) take_all(nodes_of_a(c, part.input.corners), c.impulse);
+    if (c.is_body_b()) take_all(touched_nodes(c, m, part.input.corners), -c.impulse);
   }
   return impulses;
 }

@@ -59,18 +59,15 @@ Impulse momentum_of(const Vec3& centre, const Vec3& momentum, const Vec3& angula
 /// Takes the impulses of contacts on held components off those of their supports.
 void take_contacts(std::vector<Impulse>& supports, const AdoptedPart& part) {
   const MechanicsState& m = part.state.mechanics;
-  const auto is_held = [&](ComponentId id) { return m.components[id.index()].supported; };
+  const auto is_held = [&](ComponentId id) {
+    return !id.is_none() && m.components[id.index()].supported;
+  };
   for (std::size_t k = 0; k < part.result.contacts.size(); ++k) {
     const ContactPoint& c = part.result.contacts[k];
     const Impulse given = impulse_of(part.result, k);
-    if (!c.vertex.is_none()) {
-      const ComponentId id = m.vertices.component[c.vertex.index()];
-      if (is_held(id)) supports[id.index()] -= given;
-    }
-    if (!c.tetrahedron.is_none()) {
-      const ComponentId id = m.elements.component[c.tetrahedron.index()];
-      if (is_held(id)) supports[id.index()] += given;
-    }
+    const ComponentId a = component_of_a(c, m), b = component_of_b(c, m);
+    if (is_held(a)) supports[a.index()] -= given;
+    if (is_held(b)) supports[b.index()] += given;
   }
 }
 

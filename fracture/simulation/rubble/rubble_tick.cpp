@@ -104,12 +104,10 @@ double still_speed(const RubbleWorld& world, const Scene& scene, const Vec3& gra
 /// Contacts that the elastic solver remembers of what it steps no more.
 void forget_contacts(SimulationState& s, const std::vector<char>& apart) {
   std::erase_if(s.contact.last_contacts, [&](const ContactMemory::Remembered& last) {
-    const ContactPoint& c = last.contact;
-    const bool a = c.ball == ContactPoint::none &&
-                   apart[s.mechanics.vertices.component[c.vertex.index()].index()];
-    const bool b = c.obstacle == ContactPoint::none &&
-                   apart[s.mechanics.elements.component[c.tetrahedron.index()].index()];
-    return a || b;
+    bool is_apart = false;
+    for_each_component(last.contact, s.mechanics,
+                       [&](ComponentId id) { is_apart = is_apart || apart[id.index()]; });
+    return is_apart;
   });
 }
 

@@ -5,14 +5,18 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <tuple>
 #include <variant>
 
+#include "mechanics/contact/detection/contact_balls.hpp"
+#include "mechanics/contact/detection/contact_edges.hpp"
 #include "mechanics/contact/detection/contact_partners.hpp"
 #include "mechanics/contact/detection/contact_pieces.hpp"
 #include "mechanics/contact/shapes/nearest_point.hpp"
 #include "mechanics/contact/shapes/obstacle_geometry.hpp"
 #include "topology/base/assert.hpp"
+#include "topology/base/sort_unique.hpp"
 
 namespace sunder {
 namespace {
@@ -39,18 +43,15 @@ void add(DetectScratch& scratch, ContactPoint contact, const FirstTouch& touch, 
   scratch.found_gap.push_back(touch.gap_end);
 }
 
-/// Adds the contact if its path ends near.
+/// Adds the contact if its path ends near. `rim`: m, `rim_of`.
 void add_if_near(DetectScratch& scratch, const ContactPoint& contact, const Shape& shape,
-                 const Path& path) {
-  const FirstTouch touch = first_touch(shape, path);
-  if (is_near(touch, path)) add(scratch, contact, touch, path.end);
+                 const Path& path, double rim) {
+  FirstTouch touch = first_touch(shape, path);
+  if (std::abs(touch.gap_start) <= rim) choose_face(touch, shape, path, path.start, rim);
+  if (!is_near(touch, path)) return;
+  if (grazes(shape, path, touch, rim)) choose_face(touch, shape, path, path.end, rim);
+  add(scratch, contact, touch, path.end);
 }
-
-/// Where the vertices of the members are in the step, and how far the fastest goes, m.
-struct VertexReach {
-  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
-  double farthest = 0;
-};
 
 VertexReach reach_of_vertices(const StepPaths& paths) {
   VertexReach reach;
@@ -78,7 +79,7 @@ bool is_far(const StepPaths& paths, std::uint32_t row, const VertexReach& reach)
 }
 
 void find_vertex_obstacle(DetectScratch& scratch, const StepPaths& paths, std::uint32_t row,
-                          double friction) {
+                          double friction, double rim) {
   const Obstacle& obstacle = paths.obstacles[row];
   const Shape shape = shape_about_reference(obstacle);
   ContactPoint contact;
@@ -89,32 +90,58 @@ void find_vertex_obstacle(DetectScratch& scratch, const StepPaths& paths, std::u
     if (!paths.members.has(paths.state.vertices.component[v])) continue;
     contact.vertex = VertexId{v};
     const ContactPath path = path_of(contact, paths);
-    add_if_near(scratch, contact, shape, {path.start, path.end, 0});
+    add_if_near(scratch, contact, shape, {path.start, path.end, 0}, rim);
   }
 }
 
-/// Where side A of a contact is at the end, m: the centre of a ball.
-Vec3 end_of_side_a(const ContactPoint& contact, const StepPaths& paths) {
-  if (contact.ball == ContactPoint::none) return paths.predicted[contact.vertex.index()];
-  const Obstacle& obstacle = paths.obstacles[contact.ball];
-  const Pose& end = paths.ball_end[contact.ball];
-  if (contact.corner == ContactPoint::none) return end.centre;
-  const Vec3 corner = corner_at(obstacle.shape, contact.corner);
-  if (!obstacle.mass) return corner + paths.time_step * obstacle.velocity;
-  const Pose start = pose_of(obstacle.shape);
-  return end.centre +
-         end.orientation * (start.orientation.conjugate() * (corner - start.centre));
+/// Leaves out contacts of vertices that rest on one obstacle with another one that they are clear of
+/// once they are lifted off the first: those with what lies flush with it.
+void leave_out_seams(DetectScratch& scratch, const StepPaths& paths, double rim) {
+  std::vector<std::uint32_t>& order = scratch.order;
+  order.resize(scratch.found.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::ranges::stable_sort(order, {},
+                           [&](std::uint32_t k) { return scratch.found[k].vertex; });
+  std::vector<char> is_out(order.size(), 0);
+  const auto leave_out = [&](std::uint32_t of, std::uint32_t rest) {
+    const ContactPoint& contact = scratch.found[of];
+    const ContactPoint& support = scratch.found[rest];
+    if (of == rest || is_out[rest] || support.gap_start > rim) return false;
+    const Vec3 lift = (rim - std::min(0.0, scratch.found_gap[rest])) * support.normal;
+    const Shape shape = shape_about_reference(paths.obstacles[contact.obstacle]);
+    return surface_distance(shape, path_of(contact, paths).end + lift).gap >= 0;
+  };
+  for (std::size_t first = 0; first < order.size();) {
+    std::size_t end = first + 1;
+    const VertexId v = scratch.found[order[first]].vertex;
+    while (end < order.size() && scratch.found[order[end]].vertex == v) ++end;
+    const std::span<const std::uint32_t> same(order.data() + first, end - first);
+    for (const std::uint32_t k : same) {
+      is_out[k] = same.size() > 1 && std::ranges::any_of(same, [&](std::uint32_t rest) {
+                    return leave_out(k, rest);
+                  });
+    }
+    first = end;
+  }
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < scratch.found.size(); ++k) {
+    if (is_out[k]) continue;
+    scratch.found[kept] = scratch.found[k];
+    scratch.found_gap[kept++] = scratch.found_gap[k];
+  }
+  scratch.found.resize(kept);
+  scratch.found_gap.resize(kept);
 }
 
 /// Adds a contact of side A, told by `contact`, with another obstacle.
-void find_between_obstacles(DetectScratch& scratch, const StepPaths& paths, ContactPoint contact,
-                            const Shape& about_reference, double radius) {
+void find_from_side_a(DetectScratch& scratch, const StepPaths& paths, ContactPoint contact,
+                      const Shape& about_reference, double radius, double rim) {
   const ContactPath path = path_of(contact, paths);
-  add_if_near(scratch, contact, about_reference, {path.start, path.end, radius});
+  add_if_near(scratch, contact, about_reference, {path.start, path.end, radius}, rim);
 }
 
 /// Free obstacles against all others: balls by themselves, the rest by corners, those of both.
-void find_balls(DetectScratch& scratch, const StepPaths& paths) {
+void find_between_obstacles(DetectScratch& scratch, const StepPaths& paths, double rim) {
   const auto rows = static_cast<std::uint32_t>(paths.obstacles.size());
   const auto moves = [&](std::uint32_t row) {
     return !paths.obstacles[row].mass || paths.members.has_ball(row);
@@ -135,11 +162,11 @@ void find_balls(DetectScratch& scratch, const StepPaths& paths) {
       contact.friction = 0.5 * (one.friction + other.friction);
       const Shape shape = shape_about_reference(other);
       if (is_ball) {
-        find_between_obstacles(scratch, paths, contact, shape, radius_of(one.shape));
+        find_from_side_a(scratch, paths, contact, shape, radius_of(one.shape), rim);
         continue;
       }
       for (contact.corner = 0; contact.corner < corner_count(one.shape); ++contact.corner) {
-        find_between_obstacles(scratch, paths, contact, shape, 0);
+        find_from_side_a(scratch, paths, contact, shape, 0, rim);
       }
     }
   }
@@ -157,198 +184,25 @@ void find_corners(std::vector<CornerPath>& corners, const StepPaths& paths,
     for (contact.corner = 0; contact.corner < corner_count(obstacle.shape); ++contact.corner) {
       const CornerPath path{row, contact.corner, start_of_side_a(contact, paths),
                             end_of_side_a(contact, paths)};
-      const Vec3 least = path.start.cwiseMin(path.end), most = path.start.cwiseMax(path.end);
-      const bool meets = (least.array() <= reach.high.array()).all() && (most.array() >= reach.low.array()).all();
-      if (meets) corners.push_back(path);
+      if (reach.meets(path.start.cwiseMin(path.end), path.start.cwiseMax(path.end))) {
+        corners.push_back(path);
+      }
     }
   }
-}
-
-bool several_components(const StepPaths& paths) {
-  const std::vector<ComponentId>& all = paths.state.elements.component;
-  return std::any_of(all.begin(), all.end(), [&](ComponentId c) { return c != all.front(); });
-}
-
-/// Velocity of side A against side B at the start, m/s.
-Vec3 relative_velocity(const ContactPoint& contact, const StepPaths& paths) {
-  const std::vector<Vec3>& velocity = paths.state.vertices.velocity;
-  const Vec3 place = start_of_side_a(contact, paths);
-  const auto velocity_of = [&](std::uint32_t row) -> Vec3 {
-    const Obstacle& o = paths.obstacles[row];
-    return is_sphere(o) ? o.velocity : surface_velocity(o, place);
-  };
-  const Vec3 sum = contact.ball == ContactPoint::none ? velocity[contact.vertex.index()]
-                                                      : velocity_of(contact.ball);
-  if (contact.obstacle != ContactPoint::none) return sum - velocity_of(contact.obstacle);
-  return sum - touched_nodes(contact, paths.state, paths.corners).sum(velocity);
 }
 
 }  // namespace
 
-Vec3 centre_of(const Corners& corners, std::span<const Vec3> position) {
-  return 0.25 * (position[corners[0].index()] + position[corners[1].index()] +
-                 position[corners[2].index()] + position[corners[3].index()]);
+bool has_several_pieces(const StepPaths& paths, const ContactSettings& settings) {
+  const std::vector<ComponentId>& all = paths.state.elements.component;
+  return settings.between_pieces && std::ranges::any_of(all, [&](ComponentId c) {
+    return c != all.front();
+  });
 }
 
-std::array<Vec3, 4> places_of(const Corners& corners, const StepPaths& paths) {
-  const std::vector<Vec3>& x = paths.state.vertices.position;
-  return {x[corners[0].index()], x[corners[1].index()], x[corners[2].index()],
-          x[corners[3].index()]};
-}
-
-void measure_balls(DetectScratch& scratch, const StepPaths& paths, double share) {
-  const std::size_t count = paths.corners.size();
-  const std::vector<Vec3>& rest = paths.state.vertices.rest_position;
-  scratch.centre_start.resize(count);
-  for (std::size_t t = 0; t < count; ++t) {
-    scratch.centre_start[t] = centre_of(paths.corners[t], paths.state.vertices.position);
-  }
-  if (scratch.radius.size() == count && scratch.ball_share == share) return;
-  scratch.ball_share = share;
-  scratch.radius.resize(count);
-  for (std::size_t t = 0; t < count; ++t) {
-    const Vec3 centre = centre_of(paths.corners[t], rest);
-    double squared = 0;
-    for (VertexId v : paths.corners[t]) {
-      squared = std::max(squared, (rest[v.index()] - centre).squaredNorm());
-    }
-    scratch.radius[t] = share * std::sqrt(squared);
-  }
-}
-
-/// Every pair whose paths come within a radius of each other lies, half-way, within the radius and
-/// half their relative motion. The motion counted is cut at two radii: see the limits in
-/// contact.hpp.
-void pair_up(DetectScratch& scratch, const StepPaths& paths) {
-  const std::vector<Vec3>& start = paths.state.vertices.position;
-  const std::size_t points = start.size(), all = points + paths.corner.size();
-  Vec3 mean = Vec3::Zero();
-  for (std::size_t v = 0; v < points; ++v) mean += paths.predicted[v] - start[v];
-  mean /= static_cast<double>(std::max<std::size_t>(points, 1));
-  double largest = 0;
-  scratch.point_middle.resize(all);
-  for (std::size_t v = 0; v < points; ++v) {
-    largest = std::max(largest, (paths.predicted[v] - start[v] - mean).norm());
-    scratch.point_middle[v] = 0.5 * (start[v] + paths.predicted[v]);
-  }
-  std::span<const ComponentId> component = paths.state.vertices.component;
-  if (!paths.corner.empty()) {
-    scratch.point_component.assign(component.begin(), component.end());
-    scratch.point_component.resize(all, ComponentId::none());
-    component = scratch.point_component;
-  }
-  for (std::size_t k = 0; k < paths.corner.size(); ++k) {
-    const CornerPath& path = paths.corner[k];
-    largest = std::max(largest, (path.end - path.start - mean).norm());
-    scratch.point_middle[points + k] = 0.5 * (path.start + path.end);
-  }
-  const std::size_t count = paths.corners.size();
-  scratch.reach.resize(count);
-  scratch.centre_middle.resize(count);
-  for (std::size_t t = 0; t < count; ++t) {
-    const Vec3 end = centre_of(paths.corners[t], paths.predicted);
-    const double motion = (end - scratch.centre_start[t] - mean).norm() + largest;
-    scratch.centre_middle[t] = 0.5 * (scratch.centre_start[t] + end);
-    // Nothing meets who is no member.
-    scratch.reach[t] = paths.members.has(paths.state.elements.component[t])
-                           ? scratch.radius[t] + 0.5 * std::min(motion, 2 * scratch.radius[t])
-                           : 0;
-  }
-  find_sphere_pairs(scratch.pairs, scratch.grid, scratch.cache,
-                    {scratch.point_middle, component, scratch.centre_middle,
-                     scratch.reach, paths.state.elements.component});
-}
-
-std::array<double, 4> weights_on(const ContactPoint& contact, const std::array<double, 4>& touched,
-                                 const StepPaths& paths) {
-  const ComponentId id = paths.state.elements.component[contact.tetrahedron.index()];
-  if (!paths.state.components[id.index()].rigid) return touched;
-  return affine_weights(places_of(paths.corners[contact.tetrahedron.index()], paths),
-                        start_of_side_a(contact, paths));
-}
-
-TouchedNodes touched_nodes(const ContactPoint& contact, const MechanicsState& state,
-                           std::span<const Corners> corners) {
-  const TetId t = contact.tetrahedron;
-  const Corners& own = corners[t.index()];
-  const std::array<double, 4>& L = contact.weights;
-  TouchedNodes touched;
-  const bool is_rigid = state.components[state.elements.component[t.index()].index()].rigid;
-  if (is_rigid || !is_second_order(state.elements, t)) {
-    std::ranges::copy(own, touched.row.begin());
-    std::ranges::copy(L, touched.share.begin());
-    touched.count = 4;
-    return touched;
-  }
-  const auto add = [&](VertexId row, double share) {
-    if (share == 0) return;
-    SUNDER_ASSERT(touched.count < touched.row.size(), "touched_nodes: a place inside");
-    touched.row[touched.count] = row;
-    touched.share[touched.count++] = share;
-  };
-  for (std::size_t i = 0; i < 4; ++i) add(own[i], L[i] * (2 * L[i] - 1));
-  for (std::size_t e = 0; e < 6; ++e) {
-    const auto [i, j] = edge_ends[e];
-    add(state.elements.edge_nodes[t.index()][e],
-        4 * L[static_cast<std::size_t>(i)] * L[static_cast<std::size_t>(j)]);
-  }
-  return touched;
-}
-
-Vec3 start_of_side_a(const ContactPoint& contact, const StepPaths& paths) {
-  if (contact.ball == ContactPoint::none) {
-    return paths.state.vertices.position[contact.vertex.index()];
-  }
-  const Shape& shape = paths.obstacles[contact.ball].shape;
-  return contact.corner == ContactPoint::none ? pose_of(shape).centre
-                                              : corner_at(shape, contact.corner);
-}
-
-ContactPath path_of(const ContactPoint& contact, const StepPaths& paths) {
-  ContactPath path;
-  path.start = start_of_side_a(contact, paths);
-  path.end = end_of_side_a(contact, paths);
-  path.size = path.start.norm() + path.end.norm();
-  if (contact.obstacle != ContactPoint::none) {
-    const Obstacle& obstacle = paths.obstacles[contact.obstacle];
-    if (obstacle.mass) {
-      const Pose start = pose_of(obstacle.shape), &end = paths.ball_end[contact.obstacle];
-      path.start -= start.centre;
-      path.end -= end.centre;
-      if (!is_sphere(obstacle)) {
-        path.end = start.orientation * (end.orientation.conjugate() * path.end);
-      }
-    } else {
-      path.end -= paths.time_step * obstacle.velocity;
-    }
-  } else {
-    const TouchedNodes touched = touched_nodes(contact, paths.state, paths.corners);
-    const ComponentId id = paths.state.elements.component[contact.tetrahedron.index()];
-    const Component& component = paths.state.components[id.index()];
-    const Vec3 lever = lever_of(touched, path.start, paths.state.vertices.position);
-    path.end -= touched.sum(paths.predicted);
-    path.end -= component.rigid ? lever
-                                   : paths.frame[id.index()].orientation *
-                                         (component.orientation.conjugate() * lever);
-    path.start.setZero();
-  }
-  return path;
-}
-
-Meeting meeting_of(const ContactPoint& contact, const StepPaths& paths, double touching) {
-  const ContactPath path = path_of(contact, paths);
-  const double h = paths.time_step;
-  const double start = contact.normal.dot(path.start) + contact.offset;
-  const double end = gap_end(contact, path);
-  const double speed = contact.normal.dot(relative_velocity(contact, paths));
-  if (start <= touching) return {0, -speed};
-  const double acceleration = 2 * (end - start - speed * h) / (h * h);
-  const double squared = speed * speed - 2 * acceleration * start;
-  if (!(squared >= 0)) return {};
-  const double root = std::sqrt(squared);
-  const double time = 2 * start / (root - speed);
-  if (!(time >= 0 && time <= h)) return {};
-  return {time, root};
+bool may_overlap(const StepPaths& paths, const ContactSettings& settings) {
+  return !paths.neighbours.empty() && (has_several_pieces(paths, settings) ||
+                                       std::ranges::any_of(paths.obstacles, is_sphere));
 }
 
 void find_contacts(DetectScratch& scratch, const ContactMemory& memory, const StepPaths& paths,
@@ -357,20 +211,29 @@ void find_contacts(DetectScratch& scratch, const ContactMemory& memory, const St
   scratch.found.clear();
   scratch.found_gap.clear();
   const VertexReach reach = reach_of_vertices(paths);
+  const double rim = rim_of(settings);
   for (std::uint32_t row = 0; row < paths.obstacles.size(); ++row) {
-    if (!is_far(paths, row, reach)) find_vertex_obstacle(scratch, paths, row, settings.friction);
+    if (!is_far(paths, row, reach)) find_vertex_obstacle(scratch, paths, row, settings.friction, rim);
   }
-  find_balls(scratch, paths);
+  if (paths.obstacles.size() > 1) leave_out_seams(scratch, paths, rim);
+  find_between_obstacles(scratch, paths, rim);
   if (settings.between_pieces) find_between_partners(scratch, memory, paths, settings);
+  if (paths.neighbours.empty()) return;
   StepPaths with_corners = paths;
-  if (!paths.neighbours.empty()) {
-    find_corners(scratch.corner, paths, reach);
-    with_corners.corner = scratch.corner;
-  }
-  const bool among_pieces = settings.between_pieces && several_components(paths);
-  if (!among_pieces && with_corners.corner.empty()) return;
+  find_corners(scratch.corner, paths, reach);
+  with_corners.corner = scratch.corner;
+  const bool among_pieces = has_several_pieces(paths, settings);
+  const bool any_spheres = std::ranges::any_of(paths.obstacles, is_sphere);
+  const bool any_edges = among_pieces || has_obstacle_edges(paths, reach);
+  if (!among_pieces && with_corners.corner.empty() && !any_spheres && !any_edges) return;
   measure_balls(scratch, paths, 1);
-  find_between_pieces(scratch, with_corners, settings, among_pieces);
+  update_surface(scratch.surface, paths.state.elements, paths.corners, paths.neighbours,
+                 paths.state.vertices.size());
+  if (among_pieces || !with_corners.corner.empty()) {
+    find_between_pieces(scratch, with_corners, settings, among_pieces);
+  }
+  if (any_spheres) find_balls_on_pieces(scratch, paths, settings.friction);
+  if (any_edges) find_between_edges(scratch, paths, settings, reach);
 }
 
 }  // namespace sunder

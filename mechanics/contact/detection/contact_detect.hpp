@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mechanics/contact/contact.hpp"
+#include "mechanics/contact/shapes/box_pairs.hpp"
 #include "mechanics/contact/shapes/contact_pairs.hpp"
 #include "mechanics/contact/shapes/piece_surface.hpp"
 #include "mechanics/state/pose.hpp"
@@ -17,6 +18,25 @@ namespace sunder {
 struct CornerPath {
   std::uint32_t obstacle = 0, corner = 0;
   Vec3 start{0, 0, 0}, end{0, 0, 0};  ///< m
+};
+
+/// Edges or tetrahedra with their boxes on their ways, and pairs of those that may meet.
+struct SolidPairs {
+  std::vector<Bounds> boxes;
+  std::vector<std::uint32_t> body;
+  std::vector<Vec3> ways;          ///< m
+  std::vector<char> moves;         ///< row = body
+  std::vector<TetId> tetrahedra;   ///< row = box, where these are tetrahedra
+  std::vector<RowPair> found;
+  BoxScratch grid;
+};
+
+/// Sharp edges of different pieces that are near each other, while vertices stay near `position`.
+struct EdgePairs {
+  std::vector<RowPair> near;     ///< rows of `PieceSurface::edges`
+  std::vector<Vec3> position;    ///< |V|, m
+  std::uint64_t version = 0;     ///< of the surface
+  double margin = 0;             ///< m: vertices may move by half of it
 };
 
 /// Buffers of detection, kept from step to step.
@@ -32,6 +52,8 @@ struct DetectScratch {
   std::vector<ComponentId> point_component;  ///< of both; empty where there are no corners
   std::vector<CornerPath> corner;
   PieceSurface surface;
+  SolidPairs solid_pairs;
+  EdgePairs edge_pairs;
   std::vector<std::pair<VertexId, VertexId>> facing;  ///< of partners, both ways, sorted
   std::vector<ContactPoint> found;
   std::vector<double> found_gap;  ///< m, end of the step, in the tangent plane
@@ -101,8 +123,19 @@ struct TouchedNodes {
 TouchedNodes touched_nodes(const ContactPoint& contact, const MechanicsState& state,
                            std::span<const Corners> corners);
 
+/// The nodes of a body that side A acts on: the vertex, or corners of the tetrahedron by `weights_a`.
+/// Side A is where they are on the mean. Needs: A of a body.
+TouchedNodes nodes_of_a(const ContactPoint& contact, std::span<const Corners> corners);
+
 /// Where side A of a contact is at the start, m: the centre of a ball.
 Vec3 start_of_side_a(const ContactPoint& contact, const StepPaths& paths);
+
+/// The same at the predicted end of the step.
+Vec3 end_of_side_a(const ContactPoint& contact, const StepPaths& paths);
+
+/// m: how deep two solids that slide over a seam of others may dip into it and still touch only what
+/// they slide on.
+inline double rim_of(const ContactSettings& settings) { return 2 * settings.allowed_penetration; }
 
 /// From the point of B, a tetrahedron, to where side A is (`place`), both at the start of a step, m. An
 /// impulse acts on B at the end of it, as if it were fast to B. `start`: positions there.
@@ -133,8 +166,25 @@ struct Meeting {
 };
 Meeting meeting_of(const ContactPoint& contact, const StepPaths& paths, double touching);
 
+/// Where the vertices of the members are in the step, and how far the fastest goes, m.
+struct VertexReach {
+  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  double farthest = 0;
+
+  /// Whether anything between two corners of a box along the axes is within reach.
+  bool meets(const Vec3& least, const Vec3& most) const {
+    return (least.array() <= high.array()).all() && (most.array() >= low.array()).all();
+  }
+};
+
+/// Whether a step has pieces that may meet each other.
+bool has_several_pieces(const StepPaths& paths, const ContactSettings& settings);
+
+/// Whether pieces may meet each other or spheres, and neighbours are given: `find_overlaps`.
+bool may_overlap(const StepPaths& paths, const ContactSettings& settings);
+
 /// All contacts whose path ends nearer to the tangent plane than it is long, into `scratch.found`,
-/// in the order: vertices by obstacle, balls, partners, pieces by vertex.
+/// in the order: vertices by obstacle, balls, partners, pieces by vertex, balls on pieces, edges.
 /// `settings` gives the friction.
 void find_contacts(DetectScratch& scratch, const ContactMemory& memory, const StepPaths& paths,
                    const ContactSettings& settings);

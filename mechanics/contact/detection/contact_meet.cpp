@@ -7,6 +7,7 @@
 #include <unordered_map>
 
 #include "mechanics/contact/contact_step.hpp"
+#include "mechanics/contact/detection/contact_overlaps.hpp"
 
 namespace sunder {
 namespace {
@@ -43,18 +44,19 @@ double rounding_of(const ContactPath& path, const ContactPoint& contact) {
 std::uint64_t pair_of(const ContactStep& step, const ContactPoint& contact) {
   const MechanicsState& state = step.pass.state;
   const auto components = static_cast<std::uint64_t>(state.components.size());
-  const std::uint64_t a = contact.ball == ContactPoint::none
-                              ? state.vertices.component[contact.vertex.index()].value
-                              : components + contact.ball;
-  const std::uint64_t b = contact.obstacle == ContactPoint::none
-                              ? state.elements.component[contact.tetrahedron.index()].value
-                              : components + contact.obstacle;
+  const std::uint64_t a = contact.is_body_a() ? component_of_a(contact, state).value
+                                              : components + contact.ball;
+  const std::uint64_t b = contact.is_body_b() ? component_of_b(contact, state).value
+                                              : components + contact.obstacle;
   return std::min(a, b) << 32 | std::max(a, b);
 }
 
 /// Spreads equal depths over a face instead of filling it from one side.
 std::uint32_t scattered(const ContactPoint& c) {
-  return (c.corner == ContactPoint::none ? c.vertex.value : c.corner) * 2654435761u;
+  const std::uint32_t number = c.corner != ContactPoint::none ? c.corner
+                               : c.vertex.is_none()           ? c.tetrahedron_a.value + c.place_a
+                                                              : c.vertex.value;
+  return number * 2654435761u;
 }
 
 /// Takes what is in `order`, deepest first, into `taken`; of a pair of bodies with more than
@@ -79,10 +81,54 @@ void take_spanning_sets(ContactStep& step) {
   }
 }
 
+/// Leaves what begins apart to the next pass, for bodies that rest on something: weight that their
+/// supports will bear lets them dip, for a step, into what they slide over.
+void leave_to_next_pass(ContactStep& step) {
+  DetectScratch& found = step.scratch.detect;
+  const MechanicsState& state = step.pass.state;
+  const double rim = rim_of(step.settings);
+  if (found.found.empty()) return;
+  std::vector<char>& rests = step.scratch.rests;
+  rests.assign(state.components.size() + step.pass.obstacles.size(), 0);
+  const auto for_each_body = [&](const ContactPoint& c, auto visit) {
+    for_each_component(c, state, [&](ComponentId id) { visit(id.index()); });
+    for (const std::uint32_t row : {c.ball, c.obstacle}) {
+      if (row != ContactPoint::none && step.pass.obstacles[row].mass) {
+        visit(state.components.size() + row);
+      }
+    }
+  };
+  for (const ContactPoint& c : found.found) {
+    if (c.gap_start <= rim) for_each_body(c, [&](std::size_t row) { rests[row] = 1; });
+  }
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < found.found.size(); ++k) {
+    bool waits = false;
+    if (found.found[k].gap_start > rim) {
+      for_each_body(found.found[k], [&](std::size_t row) { waits = waits || rests[row]; });
+    }
+    step.has_left = step.has_left || waits;
+    if (waits) continue;
+    found.found[kept] = found.found[k];
+    found.found_gap[kept++] = found.found_gap[k];
+  }
+  found.found.resize(kept);
+  found.found_gap.resize(kept);
+}
+
 /// Finds contacts along the paths as they are predicted. False when there are blows on them that
 /// the step must not run into.
 bool detect_contacts(ContactStep& step) {
-  find_contacts(step.scratch.detect, step.memory, paths_of(step), step.settings);
+  DetectScratch& scratch = step.scratch.detect;
+  if (step.look == ContactStep::Look::overlaps) {
+    scratch.found.clear();
+    scratch.found_gap.clear();
+    find_overlaps(scratch, paths_of(step), step.settings,
+                  static_cast<std::uint8_t>(step.report.passes));
+    return true;
+  }
+  find_contacts(scratch, step.memory, paths_of(step), step.settings);
+  if (step.look == ContactStep::Look::resting) leave_to_next_pass(step);
   if (!step.pass.input.part.impact || step.is_wave()) return true;
   look_for_blows(step);
   return step.deformation() == Deformation::frozen || step.blows.struck.empty();
@@ -164,30 +210,24 @@ void leave_alone(ContactStep& step) {
 std::array<Component*, 2> sides_of(const ContactStep& step, const ContactPoint& contact) {
   MechanicsState& state = step.pass.state;
   std::array<Component*, 2> sides{};
-  if (contact.ball == ContactPoint::none) {
-    sides[0] = &state.components[state.vertices.component[contact.vertex.index()].index()];
-  }
-  if (contact.obstacle == ContactPoint::none) {
-    sides[1] = &state.components[state.elements.component[contact.tetrahedron.index()].index()];
-  }
+  if (contact.is_body_a()) sides[0] = &state.components[component_of_a(contact, state).index()];
+  if (contact.is_body_b()) sides[1] = &state.components[component_of_b(contact, state).index()];
   return sides;
 }
 
 Vec3 relative_shift(const ContactStep& step, const ContactPoint& contact) {
   const MechanicsState& state = step.pass.state;
-  const bool is_ball = contact.ball != ContactPoint::none;
-  const Vec3 place = is_ball ? Vec3(Vec3::Zero()) : state.vertices.position[contact.vertex.index()];
-  Vec3 shift = is_ball
-                   ? weight_shift_of_ball(step, contact.ball)
-                   : weight_shift(step, state.vertices.component[contact.vertex.index()], place);
-  if (contact.obstacle != ContactPoint::none) {
-    shift -= weight_shift_of_ball(step, contact.obstacle);
-  } else {
-    const ComponentId id = state.elements.component[contact.tetrahedron.index()];
-    const TouchedNodes touched = touched_nodes(contact, state, step.pass.input.corners);
-    shift -= weight_shift(step, id, touched.sum(state.vertices.position));
-  }
-  return shift;
+  const std::span<const Corners> corners = step.pass.input.corners;
+  const auto of_body = [&](ComponentId id, const TouchedNodes& nodes) {
+    return weight_shift(step, id, nodes.sum(state.vertices.position));
+  };
+  const Vec3 of_a = contact.is_body_a() ? of_body(component_of_a(contact, state),
+                                                  nodes_of_a(contact, corners))
+                                        : weight_shift_of_ball(step, contact.ball);
+  const Vec3 of_b = contact.is_body_b() ? of_body(component_of_b(contact, state),
+                                                  touched_nodes(contact, state, corners))
+                                        : weight_shift_of_ball(step, contact.obstacle);
+  return of_a - of_b;
 }
 
 double predicted_gap_error(const ContactStep& step, const ContactPoint& contact,

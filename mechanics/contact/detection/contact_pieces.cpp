@@ -188,13 +188,61 @@ const FaceTouch* nearest_rest(std::span<const FaceTouch> touches, const StepPath
   return best;
 }
 
+/// What vertices rest on as the step begins.
+struct Supports {
+  std::span<const ContactPoint> on_obstacles;
+  std::span<const FaceTouch> on_pieces;  ///< sorted by vertex
+  double rim = 0;                        ///< m
+
+  /// Whether a vertex, or the component that it comes to by a corner, rests on a plane with this
+  /// normal out of that component.
+  bool lie_flush(const FaceTouch& touch, const StepPaths& paths, const Vec3& normal) const {
+    constexpr double same = 0.999;
+    const bool on_obstacle = std::ranges::any_of(on_obstacles, [&](const ContactPoint& c) {
+      if (c.vertex.is_none() || c.gap_start > rim) return false;
+      if (c.vertex == touch.vertex) return c.normal.dot(normal) > same;
+      return component_of_a(c, paths.state) == touch.component && c.normal.dot(normal) < -same;
+    });
+    if (on_obstacle) return true;
+    const auto own = std::ranges::equal_range(on_pieces, touch.vertex, {}, &FaceTouch::vertex);
+    return std::ranges::any_of(own, [&](const FaceTouch& rest) {
+      return !rest.is_swept && !rest.face.is_none() && rest.component != touch.component &&
+             rest.gap_start <= rim && rest.normal.dot(normal) > same;
+    });
+  }
+};
+
+/// Whether a vertex that meets a face on its way does so within `rim` of one of its edges, ends no
+/// deeper behind the face beyond, and something rests flush with that: it slides over the edge.
+bool grazes(const FaceTouch& touch, const StepPaths& paths, const PieceSurface& surface,
+            const Supports& supports) {
+  if (!(touch.gap_start > 0)) return false;
+  const auto row = static_cast<std::size_t>(
+      std::ranges::lower_bound(surface.faces, touch.face) - surface.faces.begin());
+  const std::array<VertexId, 3> corners = corners_of(paths, touch.face);
+  const std::array<Vec3, 3> x = places_at(paths, corners, touch.part);
+  const Vec3 at = touch.foot[0] * x[0] + touch.foot[1] * x[1] + touch.foot[2] * x[2];
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3 along = (x[(k + 1) % 3] - x[k]).normalized();
+    const SurfaceEdge& edge = surface.edges[surface.face_edges[row][k]];
+    if ((at - x[k]).cross(along).norm() > supports.rim || edge.face[1].is_none()) continue;
+    const HalfFaceId beyond = edge.face[edge.face[0] == touch.face ? 1 : 0];
+    const std::array<Vec3, 3> y = places_at(paths, corners_of(paths, beyond), 1);
+    const Vec3 normal = normal_of(y);
+    const bool is_convex = normal.dot(paths.at_end(corners[(k + 2) % 3]) - y[0]) < 0;
+    const bool slides = normal.dot(paths.at_end(touch.vertex) - y[0]) >= -supports.rim;
+    if (is_convex && slides && supports.lie_flush(touch, paths, normal)) return true;
+  }
+  return false;
+}
+
 /// Of the touches of a vertex on its way the one that it ends deepest behind, those that fit first.
 const FaceTouch* deepest_on_way(std::span<const FaceTouch> touches, const StepPaths& paths,
-                                const PieceSurface& surface) {
+                                const PieceSurface& surface, const Supports& supports) {
   const FaceTouch* best = nullptr;
   bool best_fits = false;
   for (const FaceTouch& touch : touches) {
-    if (!touch.is_swept || touch.are_partners) continue;
+    if (!touch.is_swept || touch.are_partners || grazes(touch, paths, surface, supports)) continue;
     const bool now = fits(paths, surface, touch);
     if (best && std::pair(!now, touch.gap_end) >= std::pair(!best_fits, best->gap_end)) continue;
     best = &touch;
@@ -205,7 +253,8 @@ const FaceTouch* deepest_on_way(std::span<const FaceTouch> touches, const StepPa
 
 /// Of the touches of one vertex with one component the one that counts, if any.
 std::optional<FaceTouch> choose(std::span<const FaceTouch> touches, const StepPaths& paths,
-                                const PieceSurface& surface, double band) {
+                                const PieceSurface& surface, const Supports& supports,
+                                double band) {
   const auto if_any = [](const FaceTouch* touch) {
     return touch ? std::optional(*touch) : std::nullopt;
   };
@@ -217,7 +266,7 @@ std::optional<FaceTouch> choose(std::span<const FaceTouch> touches, const StepPa
   if (rest && (is_inside || is_near(paths, *rest) || rest->gap_end <= together * band)) {
     return *rest;
   }
-  if (!is_inside) return if_any(deepest_on_way(touches, paths, surface));
+  if (!is_inside) return if_any(deepest_on_way(touches, paths, surface, supports));
   return way_out(paths, touches.front().vertex, touches.front().component);
 }
 
@@ -298,8 +347,6 @@ bool is_mirror(const FaceTouch& touch, std::span<const FaceTouch> all, const Ste
 
 void find_between_pieces(DetectScratch& scratch, const StepPaths& paths,
                          const ContactSettings& settings, bool among_pieces) {
-  update_surface(scratch.surface, paths.state.elements, paths.corners, paths.neighbours,
-                 paths.state.vertices.size());
   pair_up(scratch, paths);
   if (!among_pieces) {
     std::erase_if(scratch.pairs, [&](const SpherePair& p) { return !paths.is_corner(p.vertex); });
@@ -311,6 +358,7 @@ void find_between_pieces(DetectScratch& scratch, const StepPaths& paths,
     return std::tuple(t.vertex, t.component, t.face, t.is_swept);
   };
   std::ranges::sort(touches, {}, key);
+  const Supports supports{scratch.found, touches, rim_of(settings)};
   for (std::size_t first = 0; first < touches.size();) {
     std::size_t end = first;
     while (end < touches.size() && touches[end].vertex == touches[first].vertex &&
@@ -318,7 +366,8 @@ void find_between_pieces(DetectScratch& scratch, const StepPaths& paths,
       ++end;
     }
     const std::optional<FaceTouch> best =
-        choose(std::span(touches).subspan(first, end - first), paths, scratch.surface, band);
+        choose(std::span(touches).subspan(first, end - first), paths, scratch.surface, supports,
+               band);
     if (best) chosen.push_back(*best);
     first = end;
   }

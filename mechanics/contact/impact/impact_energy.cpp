@@ -42,12 +42,10 @@ ImpactEnergy::ImpactEnergy(const ContactStep& step, std::span<const ContactPoint
     return static_cast<std::uint32_t>(components_ + k);
   };
   for (const ContactPoint& c : contacts) {
-    const std::uint32_t a = c.ball == ContactPoint::none
-                                ? state.vertices.component[c.vertex.index()].value
-                                : row_of_obstacle(c.ball);
-    const std::uint32_t b = c.obstacle == ContactPoint::none
-                                ? state.elements.component[c.tetrahedron.index()].value
-                                : row_of_obstacle(c.obstacle);
+    const std::uint32_t a =
+        c.is_body_a() ? component_of_a(c, state).value : row_of_obstacle(c.ball);
+    const std::uint32_t b =
+        c.is_body_b() ? component_of_b(c, state).value : row_of_obstacle(c.obstacle);
     if (a != b) join(a, b);
   }
 }

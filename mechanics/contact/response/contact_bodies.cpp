@@ -177,13 +177,13 @@ std::uint32_t enlist(ContactBodies& bodies, ComponentId component, std::uint32_t
 /// Calls `visit(vertex)` for every vertex that a contact acts on.
 template <class Visit>
 void for_each_vertex(const ContactPoint& contact, const ContactPass& pass, Visit visit) {
-  if (contact.ball == ContactPoint::none) visit(contact.vertex);
-  if (contact.obstacle == ContactPoint::none) {
-    const TouchedNodes touched = touched_nodes(contact, pass.state, pass.input.corners);
-    for (std::size_t i = 0; i < touched.count; ++i) {
-      if (touched.share[i] != 0) visit(touched.row[i]);
+  const auto visit_all = [&](const TouchedNodes& nodes) {
+    for (std::size_t i = 0; i < nodes.count; ++i) {
+      if (nodes.share[i] != 0) visit(nodes.row[i]);
     }
-  }
+  };
+  if (contact.is_body_a()) visit_all(nodes_of_a(contact, pass.input.corners));
+  if (contact.is_body_b()) visit_all(touched_nodes(contact, pass.state, pass.input.corners));
 }
 
 /// Which bodies there are, and the slots of each.
@@ -234,23 +234,23 @@ ContactEnd vertex_end(const ContactBodies& bodies, const ContactPass& pass, Vert
   return end;
 }
 
-/// Nodes by their shares. All have the arm of `place`, where side A is: both sides then feel the
-/// same line of action, and angular momentum is conserved exactly. What the nodes' own moment
-/// falls short of that is rigid and deforms nothing.
-void add_tetrahedron_ends(ContactRow& row, const ContactPoint& contact, const Vec3& place,
-                          const ContactBodies& bodies, const ContactPass& pass) {
-  const TouchedNodes touched = touched_nodes(contact, pass.state, pass.input.corners);
-  const ComponentId id = pass.state.elements.component[contact.tetrahedron.index()];
+/// Nodes of a component by their shares; `sign`: 1 on side A, -1 on side B. All have the arm of
+/// `place`, where side A is: both sides then feel the same line of action, and angular momentum is
+/// conserved exactly. What the nodes' own moment falls short of that is rigid and deforms nothing.
+void add_node_ends(ContactRow& row, const TouchedNodes& nodes, ComponentId id, double sign,
+                   const Vec3& place, const ContactBodies& bodies, const ContactPass& pass) {
   const Component& component = pass.state.components[id.index()];
   const Vec3 arm = place - component.centre;
   if (component.rigid) {
-    add_end(row,
-            {.body = bodies.body_of_component[id.index()], .weight = -1, .arm = arm, .lever = arm});
+    add_end(row, {.body = bodies.body_of_component[id.index()],
+                  .weight = sign,
+                  .arm = arm,
+                  .lever = arm});
     return;
   }
-  for (std::size_t i = 0; i < touched.count; ++i) {
-    if (touched.share[i] == 0) continue;
-    ContactEnd end = vertex_end(bodies, pass, touched.row[i], -touched.share[i]);
+  for (std::size_t i = 0; i < nodes.count; ++i) {
+    if (nodes.share[i] == 0) continue;
+    ContactEnd end = vertex_end(bodies, pass, nodes.row[i], sign * nodes.share[i]);
     end.lever = arm - end.arm;
     end.arm = arm;
     add_end(row, end);
@@ -263,8 +263,12 @@ ContactRow row_of(const ContactPoint& contact, const ContactBodies& bodies,
   ContactRow row;
   row.normal = contact.normal;
   row.impulse = contact.impulse;
-  if (contact.ball == ContactPoint::none) {
+  if (!contact.vertex.is_none()) {
     add_end(row, vertex_end(bodies, pass, contact.vertex, 1));
+  } else if (contact.is_body_a()) {
+    add_node_ends(row, nodes_of_a(contact, pass.input.corners),
+                  component_of_a(contact, pass.state), 1, place_of_side_a(pass, contact), bodies,
+                  pass);
   } else if (pass.obstacles[contact.ball].mass) {
     const Obstacle& ball = pass.obstacles[contact.ball];
     const Vec3 arm = contact.corner == ContactPoint::none
@@ -275,7 +279,8 @@ ContactRow row_of(const ContactPoint& contact, const ContactBodies& bodies,
   }
   const Vec3 place = place_of_side_a(pass, contact) + drift_of(pass, contact);
   if (contact.obstacle == ContactPoint::none) {
-    add_tetrahedron_ends(row, contact, place, bodies, pass);
+    add_node_ends(row, touched_nodes(contact, pass.state, pass.input.corners),
+                  component_of_b(contact, pass.state), -1, place, bodies, pass);
   } else if (pass.obstacles[contact.obstacle].mass) {
     // From the ball's centre to where side A is, not to its surface: both sides then feel the same
     // line of action, and angular momentum is conserved exactly.
@@ -323,8 +328,8 @@ bool takes_split_blow(const ContactPass& pass, const Component& component) {
 }
 
 Vec3 place_of_side_a(const ContactPass& pass, const ContactPoint& contact) {
-  if (contact.ball == ContactPoint::none) {
-    return pass.state.vertices.position[contact.vertex.index()];
+  if (contact.is_body_a()) {
+    return nodes_of_a(contact, pass.input.corners).sum(pass.state.vertices.position);
   }
   const Shape& ball = pass.obstacles[contact.ball].shape;
   if (contact.corner != ContactPoint::none) return corner_at(ball, contact.corner);
@@ -333,16 +338,15 @@ Vec3 place_of_side_a(const ContactPass& pass, const ContactPoint& contact) {
 
 Vec3 way_of_impulse(const ContactPass& pass, const ContactPoint& contact) {
   if (pass.input.part.deformation != Deformation::wave) return Vec3::Zero();
-  return contact.ball == ContactPoint::none
-             ? way_in_wave(pass, pass.state.vertices.component[contact.vertex.index()])
-             : way_in_wave(pass, pass.obstacles[contact.ball].velocity);
+  return contact.is_body_a() ? way_in_wave(pass, component_of_a(contact, pass.state))
+                             : way_in_wave(pass, pass.obstacles[contact.ball].velocity);
 }
 
 Vec3 drift_of(const ContactPass& pass, const ContactPoint& contact) {
   if (pass.input.part.deformation != Deformation::wave) return Vec3::Zero();
   const Vec3 way_of_b =
-      contact.obstacle == ContactPoint::none
-          ? way_in_wave(pass, pass.state.elements.component[contact.tetrahedron.index()])
+      contact.is_body_b()
+          ? way_in_wave(pass, component_of_b(contact, pass.state))
           : way_in_wave(pass, pass.obstacles[contact.obstacle].velocity);
   return way_of_impulse(pass, contact) - way_of_b;
 }

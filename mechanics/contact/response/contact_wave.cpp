@@ -37,8 +37,8 @@ Vec3 obstacle_velocity(const ContactStep& step, std::uint32_t row, const Vec3& p
 Vec3 velocity_end(const ContactStep& step, const ContactPoint& contact) {
   const std::vector<Vec3>& velocity = step.pass.mechanics.predicted.velocity;
   const Vec3 place = place_of_side_a(step.pass, contact);
-  Vec3 sum = contact.ball == ContactPoint::none
-                 ? velocity[contact.vertex.index()]
+  Vec3 sum = contact.is_body_a()
+                 ? nodes_of_a(contact, step.pass.input.corners).sum(velocity)
                  : obstacle_velocity(step, contact.ball, place);
   if (contact.obstacle == ContactPoint::none) {
     const TouchedNodes touched =

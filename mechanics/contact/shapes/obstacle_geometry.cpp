@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <vector>
 
 #include "mechanics/contact/shapes/solid_surface.hpp"
 #include "mechanics/state/dense_solve.hpp"
@@ -57,6 +58,51 @@ std::optional<FirstTouch> pass_by(const Solid& solid, const Path& path) {
   return FirstTouch{arm.normalized(), gap, gap - length, 0};
 }
 
+/// A face of a shape: its unit normal out of the shape and a place on it, m.
+struct FacePlane {
+  Vec3 normal, place;
+};
+
+std::vector<FacePlane> planes_near(const Box& box, const Vec3& point, double distance) {
+  std::vector<FacePlane> planes;
+  const Vec3 local = box.orientation.conjugate() * (point - box.center);
+  for (Eigen::Index k = 0; k < 3; ++k) {
+    if (std::abs(local[k]) < box.half_extent[k] - distance) continue;
+    const Vec3 normal = box.orientation * Vec3(std::copysign(1.0, local[k]) * Vec3::Unit(k));
+    planes.push_back({normal, box.center + box.half_extent[k] * normal});
+  }
+  return planes;
+}
+
+/// None where the surface is not convex.
+std::vector<FacePlane> planes_near(const Solid& solid, const Vec3& point, double distance) {
+  const SolidSurface& surface = *solid.surface;
+  const Vec3 own = solid.orientation.conjugate() * (point - solid.translation);
+  const std::vector<std::uint32_t> near = triangles_near(surface, own, distance);
+  std::vector<FacePlane> planes;
+  constexpr double same = 1e-6;
+  for (const std::uint32_t t : near) {
+    const Vec3 normal = surface.face_normal[t], place = surface.points[surface.triangles[t][0]];
+    for (const std::uint32_t other : near) {
+      for (const std::uint32_t corner : surface.triangles[other]) {
+        if (normal.dot(surface.points[corner] - place) > same * surface.radius) return {};
+      }
+    }
+    const bool is_known = std::ranges::any_of(planes, [&](const FacePlane& plane) {
+      return (solid.orientation.conjugate() * plane.normal - normal).norm() < same;
+    });
+    if (is_known) continue;
+    planes.push_back({solid.orientation * normal, solid.orientation * place + solid.translation});
+  }
+  return planes;
+}
+
+std::vector<FacePlane> planes_near(const Shape& shape, const Vec3& point, double distance) {
+  if (const auto* box = std::get_if<Box>(&shape)) return planes_near(*box, point, distance);
+  if (const auto* solid = std::get_if<Solid>(&shape)) return planes_near(*solid, point, distance);
+  return {};
+}
+
 FirstTouch touch_plane(const Plane& plane, const Path& path) {
   const double start = plane.normal.dot(path.start) - plane.offset - path.radius;
   const double end = plane.normal.dot(path.end) - plane.offset - path.radius;
@@ -98,6 +144,36 @@ FirstTouch first_touch(const Shape& shape, const Path& path) {
   }
   const double part = length > 0 ? nearest_travelled / length : 0;
   return {nearest.normal, gap_start, nearest.gap + nearest.normal.dot(motion) * (1 - part), part};
+}
+
+bool grazes(const Shape& shape, const Path& path, const FirstTouch& touch, double rim) {
+  if (!(touch.gap_start > 0 && touch.gap_end < 0) || std::holds_alternative<Plane>(shape)) {
+    return false;
+  }
+  constexpr int places = 16;
+  for (int k = 1; k <= places; ++k) {
+    // From the end, where it is deepest unless it only cuts a corner.
+    const double part = touch.part + (1 - touch.part) * (places + 1 - k) / places;
+    const Vec3 point = path.start + part * (path.end - path.start);
+    if (surface_distance(shape, point).gap - path.radius < -rim) return false;
+  }
+  return true;
+}
+
+void choose_face(FirstTouch& touch, const Shape& shape, const Path& path, const Vec3& place,
+                 double rim) {
+  const std::vector<FacePlane> planes = planes_near(shape, place, rim + path.radius);
+  if (planes.size() < 2) return;
+  const Vec3 motion = path.end - path.start;
+  const double rounding = 1e-12 * (path.end.norm() + radius_of(shape));
+  bool any = false;
+  for (const FacePlane& plane : planes) {
+    const double from = plane.normal.dot(path.start - plane.place) - path.radius;
+    const double to = from + plane.normal.dot(motion);
+    if (!(to < -rounding) || (any && to <= touch.gap_end)) continue;
+    any = true;
+    touch = {plane.normal, from, to, 0};
+  }
 }
 
 Vec3 surface_velocity(const Obstacle& obstacle, const Vec3& point) {

@@ -87,6 +87,29 @@ void find_rings(SolidSurface& s) {
   }
 }
 
+void find_sharp_edges(SolidSurface& s) {
+  struct Side {
+    std::array<std::uint32_t, 2> end;
+    std::uint32_t beside, triangle;
+  };
+  std::vector<Side> sides;
+  for (std::uint32_t t = 0; t < s.triangles.size(); ++t) {
+    const auto& corner = s.triangles[t];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto [low, high] = std::minmax(corner[k], corner[(k + 1) % 3]);
+      sides.push_back({{low, high}, corner[(k + 2) % 3], t});
+    }
+  }
+  std::ranges::sort(sides, {}, [](const Side& a) { return std::pair(a.end, a.triangle); });
+  constexpr double flat = 0.02;
+  for (std::size_t k = 0; k + 1 < sides.size(); k += 2) {
+    const Side &a = sides[k], &b = sides[k + 1];
+    const Vec3 beside = s.points[b.beside] - s.points[a.end[0]];
+    if (s.face_normal[a.triangle].dot(beside) >= -flat * beside.norm()) continue;
+    s.sharp_edges.push_back({a.end, {a.beside, b.beside}});
+  }
+}
+
 /// Fills node `at` with the triangles [first, end) of the order.
 void build_node(SolidSurface& s, std::size_t at, std::uint32_t first, std::uint32_t end) {
   constexpr std::uint32_t few = 4;
@@ -200,8 +223,32 @@ Result<SolidSurface> make_solid_surface(TriangleSurface triangles, std::string f
   s.tree.resize(1);
   build_node(s, 0, 0, static_cast<std::uint32_t>(s.order.size()));
   result.findings = check_solid(s);
+  if (!has_error(result.findings)) find_sharp_edges(s);
   if (!has_error(result.findings)) result.value = std::move(s);
   return result;
+}
+
+std::vector<std::uint32_t> triangles_near(const SolidSurface& s, const Vec3& point,
+                                          double distance) {
+  std::vector<std::uint32_t> found, open = {0};
+  while (!open.empty()) {
+    const SolidSurface::Node& node = s.tree[open.back()];
+    open.pop_back();
+    if (distance_to_box(node, point) > distance * distance) continue;
+    if (node.count == 0) {
+      open.push_back(node.first);
+      open.push_back(node.first + 1);
+      continue;
+    }
+    for (std::uint32_t k = node.first; k < node.first + node.count; ++k) {
+      const auto x = corners_of(s, s.order[k]);
+      const std::array<double, 3> share = nearest_on_triangle(x, point);
+      const Vec3 place = share[0] * x[0] + share[1] * x[1] + share[2] * x[2];
+      if ((point - place).squaredNorm() <= distance * distance) found.push_back(s.order[k]);
+    }
+  }
+  std::ranges::sort(found);
+  return found;
 }
 
 SurfacePoint distance_to_surface(const SolidSurface& s, const Vec3& point) {

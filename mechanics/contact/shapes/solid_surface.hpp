@@ -40,6 +40,13 @@ struct SolidSurface {
   /// list.
   std::vector<std::uint32_t> ring_first, ring;
 
+  /// An edge at which the solid is convex by more than about a degree, and the third corners of its
+  /// two triangles.
+  struct Edge {
+    std::array<std::uint32_t, 2> end, beside;
+  };
+  std::vector<Edge> sharp_edges;
+
   /// A tree of boxes of triangles. The two children of a node are consecutive.
   struct Node {
     Vec3 low, high;
@@ -68,6 +75,10 @@ struct SurfacePoint {
   Vec3 normal{0, 0, 1};     ///< unit
 };
 SurfacePoint distance_to_surface(const SolidSurface& surface, const Vec3& point);
+
+/// Triangles that come as near to a point as `distance` (m), ascending.
+std::vector<std::uint32_t> triangles_near(const SolidSurface& surface, const Vec3& point,
+                                          double distance);
 
 /// The first pair of triangles that meet beyond their shared corners. Without such a pair both
 /// entries are the number of triangles. O(n log n) for most surfaces.

@@ -11,8 +11,8 @@ namespace {
 
 /// A slot of a body is the weighted sum of some of its vertices' slots.
 struct MergedSlot {
-  std::array<std::uint32_t, 7> slots;
-  std::array<double, 7> weights;
+  std::array<std::uint32_t, 10> slots;
+  std::array<double, 10> weights;
   std::uint32_t count = 0;
   friend bool operator==(const MergedSlot& a, const MergedSlot& b) {
     return std::equal(a.slots.begin(), a.slots.begin() + a.count, b.slots.begin(),

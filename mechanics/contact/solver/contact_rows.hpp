@@ -65,8 +65,9 @@ struct RowSide {
 
 /// One row of three unknowns.
 struct ContactRow {
-  /// For whoever makes and applies rows: a vertex, and six nodes of a face of second order.
-  std::array<ContactEnd, 7> ends;
+  /// Of at most four corners of a tetrahedron on side A, and six nodes of a face of second order on
+  /// side B.
+  std::array<ContactEnd, 10> ends;
   std::uint32_t end_count = 0;
   std::array<RowSide, 2> sides;  ///< of different bodies
   std::uint32_t side_count = 0;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "mechanics/contact/solver/contact_subspace.hpp"
 #include "mechanics/contact/solver/tie_row.hpp"
@@ -243,6 +244,26 @@ void release_wedges(std::span<ContactRow> rows, std::span<RespondingBody> bodies
   add_impulses(rows, bodies, change);
 }
 
+/// Where contacts are more than their bodies can tell apart, pressure and the disks that follow it
+/// change for ever by a little: the residual falls no more.
+class Stall {
+ public:
+  /// Whether the residual has not halved for long, and is near the tolerance.
+  bool is_over(const SolveOutcome& now, const SolveLimits& limits) {
+    constexpr int patience = 128;
+    constexpr double near = 64;
+    if (now.residual < 0.5 * least_) {
+      least_ = now.residual;
+      at_ = now.iterations;
+    }
+    return now.iterations - at_ > patience && now.residual <= near * limits.tolerance;
+  }
+
+ private:
+  double least_ = std::numeric_limits<double>::infinity();
+  int at_ = 0;
+};
+
 }  // namespace
 
 SolveOutcome solve_contacts(std::span<ContactRow> rows, std::span<RespondingBody> bodies,
@@ -272,6 +293,7 @@ SolveOutcome solve_contacts(std::span<ContactRow> rows, std::span<RespondingBody
   constexpr int round_length = 8;
   int sweeps = 0;
   double moved = 0;
+  Stall stall;
   follow_disks(rows);
   outcome.converged = false;
   while (outcome.iterations < limits.max_iterations) {
@@ -282,7 +304,9 @@ SolveOutcome solve_contacts(std::span<ContactRow> rows, std::span<RespondingBody
     if (++sweeps >= round_length || outcome.residual <= std::max(limits.tolerance, 0.1 * moved)) {
       moved = follow_disks(rows);
       outcome.residual = std::max(outcome.residual, moved);
-      outcome.converged = outcome.residual <= limits.tolerance;
+      outcome.stalled = limits.ends_stalled && outcome.residual > limits.tolerance &&
+                        stall.is_over(outcome, limits);
+      outcome.converged = outcome.residual <= limits.tolerance || outcome.stalled;
       if (outcome.converged) break;
       sweeps = 0;
       const int left = limits.max_iterations - outcome.iterations - 1;

@@ -14,12 +14,14 @@ struct SolveLimits {
   double tolerance = 0;  ///< m
   int max_iterations = 0;
   const std::atomic<bool>* hurry = nullptr;  ///< given and true: no further sweep
+  bool ends_stalled = false;  ///< ends near the tolerance where the residual falls no more
 };
 
 struct SolveOutcome {
   int iterations = 0;
   double residual = 0;  ///< m: largest |gap - projected gap| in the last sweep
   bool converged = true;
+  bool stalled = false;  ///< converged near the tolerance only
 };
 
 /// Solves for the impulses of `rows`: the normal part within its bounds, complementary to the gap,

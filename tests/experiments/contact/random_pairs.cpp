@@ -80,7 +80,7 @@ Moment moment_of(const ContactScene& scene) {
   return now;
 }
 
-/// One step, or a part of it.
+/// One part of a step, or a part of that.
 struct Motion {
   Moment from, to;
 };
@@ -127,7 +127,7 @@ double deepest_of(const FrameOverlaps& overlaps) {
   return std::max(overlaps.pieces.depth, overlaps.obstacles.depth);
 }
 
-/// Adds the judgement of one step.
+/// Adds the judgement of one part of a step.
 void judge_step(RandomPair& pair, const Motion& motion, const ContactScene& scene, double edge) {
   constexpr double tolerance = 0.02, most_turn = 0.05;
   const int moments = 1 + static_cast<int>(turn_of(motion) / most_turn);
@@ -257,14 +257,15 @@ RandomPair run_random_pair(std::uint64_t seed) {
   int left = std::min(most_steps, 2 + static_cast<int>((thrown.gap + 3 * thrown.reach) / way));
   Motion motion{moment_of(scene), {}};
   for (; left > 0; --left) {
-    const ContactStepResult result = scene.step();
+    const ContactStepResult result = scene.step_in_parts([&] {
+      motion.to = moment_of(scene);
+      judge_step(pair, motion, scene, edge);
+      motion.from = std::move(motion.to);
+    });
     if (result.report.contacts > 0 && !pair.met) {
       pair.met = true;
       left = std::min(left, after + 1);
     }
-    motion.to = moment_of(scene);
-    judge_step(pair, motion, scene, edge);
-    motion.from = std::move(motion.to);
   }
   return pair;
 }

@@ -156,14 +156,14 @@ TEST_CASE("a free box slides down an incline if and only if tan a > mu", "[free]
 }
 
 TEST_CASE("a box as a mesh does what the box does", "[free][solid]") {
-  const auto run = [](bool as_mesh, bool driven) {
+  const auto run = [](bool as_mesh, bool driven, double angle = 0.1) {
     Scene scene;
     scene.integrator.time_step = 5e-4;
     scene.contact.max_iterations = 2000;
     scene.contact.tolerance = 1e-8;
     scene.bodies = {block({0, 0, 0}), block({0, 0, 0.0402})};
     scene.obstacles.push_back({Plane{}});
-    scene.obstacles.push_back(free_box(as_mesh, {-0.06, 0.02, 0.021}, turn(0.1, {0, 0, 1})));
+    scene.obstacles.push_back(free_box(as_mesh, {-0.06, 0.02, 0.021}, turn(angle, {0, 0, 1})));
     scene.obstacles[1].velocity = {0.5, 0, 0};
     if (driven) scene.obstacles[1].mass.reset();
     Simulation sim = built(scene);
@@ -176,11 +176,19 @@ TEST_CASE("a box as a mesh does what the box does", "[free][solid]") {
   const bool driven = GENERATE(false, true);
   const std::vector<Vec3> boxes = run(false, driven), meshes = run(true, driven);
   CHECK((boxes[0] - Vec3(0.02, 0.02, 0.02)).norm() > 5e-4);
+  // Sweeps go by other rows, and two blocks that rub on each other make much of where they end: boxes
+  // turned by a little more are as far off.
+  double spread = 5e-5;
+  for (const double more : {1e-9, -1e-9, 1e-7, -1e-7}) {
+    const std::vector<Vec3> turned = run(false, driven, 0.1 + more);
+    for (std::size_t k = 0; k < boxes.size(); ++k) {
+      spread = std::max(spread, 2 * (boxes[k] - turned[k]).norm());
+    }
+  }
+  CHECK(spread < 2e-3);
   for (std::size_t k = 0; k < boxes.size(); ++k) {
     INFO(k);
-    // Sweeps go by other rows, and two blocks that rub on each other make much of where they end: a
-    // box turned by 1e-9 more is as far off.
-    CHECK((boxes[k] - meshes[k]).norm() < 5e-5);
+    CHECK((boxes[k] - meshes[k]).norm() < spread);
   }
 }
 

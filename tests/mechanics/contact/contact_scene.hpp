@@ -50,12 +50,48 @@ struct ContactScene {
   MechanicsScratch mechanics = {};
   ContactScratch scratch = {};
 
-  ContactStepResult step(const StepPart& part = {}) {
+  ContactStepResult step(const StepPart& part = {}) { return take(part, integrator.time_step); }
+
+  /// One step, in parts of one length if pieces would pass each other in it, as the plan of a
+  /// simulation divides it (fracture/simulation/plan.cpp). Gives the last part, with what all parts
+  /// found: their deepest overlap and number of contacts. `observe()` is called after each part.
+  template <class Observe>
+  ContactStepResult step_in_parts(Observe observe) {
+    int parts = 1;
+    ContactStepResult last;
+    std::uint32_t contacts = 0;
+    double deepest = 0;
+    for (int taken = 0; taken < parts;) {
+      StepPart part;
+      part.divides = parts < 256;
+      last = take(part, integrator.time_step / parts);
+      if (last.passes) {
+        parts *= 2;
+        taken *= 2;
+        continue;
+      }
+      ++taken;
+      observe();
+      contacts = std::max(contacts, last.report.contacts);
+      deepest = std::max(deepest, last.report.deepest);
+    }
+    last.report.contacts = contacts;
+    last.report.deepest = deepest;
+    return last;
+  }
+
+  ContactStepResult step_in_parts() {
+    return step_in_parts([] {});
+  }
+
+  ContactStepResult take(const StepPart& part, double length) {
     const auto neighbours = neighbours_of(body.corners);
+    IntegratorSettings settings = integrator;
+    settings.time_step = length;
     return advance_with_contact({state, obstacles, memory},
                                 {.corners = body.corners,
                                  .loads = loads,
-                                 .settings = integrator,
+                                 .settings = settings,
                                  .part = part,
                                  .neighbours = neighbours},
                                 contact, {mechanics, scratch});

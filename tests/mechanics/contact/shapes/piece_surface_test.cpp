@@ -99,6 +99,8 @@ TEST_CASE("a vertex that enters a piece meets the face through which it does",
     const Flight flight = flight_of(random);
     DetectScratch scratch;
     measure_balls(scratch, flight.paths(), 1);
+    update_surface(scratch.surface, flight.state.elements, flight.all.body.corners,
+                   flight.neighbours, 8);
     find_between_pieces(scratch, flight.paths(), {}, true);
     for (std::size_t i = 0; i < 8; ++i) {
       const VertexId v{i};

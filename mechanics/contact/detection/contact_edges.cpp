@@ -1,0 +1,323 @@
+// SPDX-License-Identifier: MIT
+// Pairs of edges by their boxes; the normal by the product of their directions.
+#include "mechanics/contact/detection/contact_edges.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "mechanics/contact/detection/contact_partners.hpp"
+#include "mechanics/contact/detection/face_touch.hpp"
+#include "mechanics/contact/shapes/box_pairs.hpp"
+#include "mechanics/contact/shapes/obstacle_geometry.hpp"
+#include "mechanics/contact/shapes/solid_surface.hpp"
+
+namespace sunder {
+namespace {
+
+/// Share of an edge at either end that is left to its vertex.
+constexpr double end_share = 0.02;
+/// Sine of the angle between two faces, or two edges, below which they count as one plane or line.
+constexpr double flat = 0.02;
+
+/// An edge of a piece or of an obstacle on its way.
+struct MovingEdge {
+  std::array<Vec3, 2> start, end;  ///< m, of its ends
+  std::array<Vec3, 2> beside;      ///< m, at the start: points of its faces beside it
+  std::uint32_t besides = 0;       ///< how many of them
+  std::uint32_t row = 0;           ///< of `surface.edges`, or the obstacle
+  bool is_obstacle = false;
+
+  Vec3 along(double part) const {
+    return (1 - part) * (start[1] - start[0]) + part * (end[1] - end[0]);
+  }
+  Vec3 at(double share, double part) const {
+    return (1 - part) * start[0] + part * end[0] + share * along(part);
+  }
+};
+
+/// Two edges where their lines are nearest.
+struct EdgeTouch {
+  Vec3 normal{0, 0, 1};               ///< unit, from B to A
+  double share_a = 0, share_b = 0;    ///< of the ways along the edges
+  double gap_start = 0, gap_end = 0;  ///< m
+};
+
+/// Whether a piece is convex at an edge, by more than about a degree.
+bool is_sharp(const StepPaths& paths, const SurfaceEdge& edge) {
+  if (edge.face[1].is_none()) return true;
+  const std::array<Vec3, 3> x = places_at(paths, corners_of(paths, edge.face[0]), 0);
+  const Vec3 beside = paths.at_start(edge.beside[1]) - paths.at_start(edge.end[0]);
+  return normal_of(x).dot(beside) < -flat * beside.norm();
+}
+
+MovingEdge moving_edge(const StepPaths& paths, const SurfaceEdge& edge, std::uint32_t row) {
+  MovingEdge moving{.row = row};
+  for (std::size_t k = 0; k < 2; ++k) {
+    moving.start[k] = paths.at_start(edge.end[k]);
+    moving.end[k] = paths.at_end(edge.end[k]);
+    if (edge.beside[k].is_none()) continue;
+    moving.beside[moving.besides++] = paths.at_start(edge.beside[k]);
+  }
+  return moving;
+}
+
+bool is_member(const StepPaths& paths, const SurfaceEdge& edge) {
+  return paths.members.has(paths.state.vertices.component[edge.end[0].index()]);
+}
+
+/// The way of an edge between two corners of an obstacle.
+MovingEdge moving_edge(const StepPaths& paths, std::uint32_t row,
+                       const std::array<std::uint32_t, 2>& end,
+                       const std::array<std::uint32_t, 2>& beside) {
+  MovingEdge moving{.besides = 2, .row = row, .is_obstacle = true};
+  for (std::size_t k = 0; k < 2; ++k) {
+    const ContactPoint corner{.ball = row, .corner = end[k]};
+    moving.start[k] = start_of_side_a(corner, paths);
+    moving.end[k] = end_of_side_a(corner, paths);
+    moving.beside[k] = corner_at(paths.obstacles[row].shape, beside[k]);
+  }
+  return moving;
+}
+
+/// Calls `visit(edge)` for each sharp edge of a box or mesh that comes within reach.
+template <class Visit>
+void for_each_obstacle_edge(const StepPaths& paths, const VertexReach& reach, Visit visit) {
+  const auto visit_near = [&](const MovingEdge& e) {
+    const Vec3 low = e.start[0].cwiseMin(e.start[1]).cwiseMin(e.end[0]).cwiseMin(e.end[1]);
+    const Vec3 high = e.start[0].cwiseMax(e.start[1]).cwiseMax(e.end[0]).cwiseMax(e.end[1]);
+    if (reach.meets(low, high)) visit(e);
+  };
+  for (std::uint32_t row = 0; row < paths.obstacles.size(); ++row) {
+    const Obstacle& obstacle = paths.obstacles[row];
+    if (obstacle.mass && !paths.members.has_ball(row)) continue;
+    if (std::holds_alternative<Box>(obstacle.shape)) {
+      for (std::uint32_t c = 0; c < 8; ++c) {
+        for (std::uint32_t bit = 1; bit < 8; bit <<= 1) {
+          const std::uint32_t next = bit == 4 ? 1 : bit << 1, last = 7 ^ bit ^ next;
+          if (c & bit) continue;
+          visit_near(moving_edge(paths, row, {c, c ^ bit}, {c ^ next, c ^ last}));
+        }
+      }
+    } else if (const auto* solid = std::get_if<Solid>(&obstacle.shape)) {
+      for (const SolidSurface::Edge& edge : solid->surface->sharp_edges) {
+        visit_near(moving_edge(paths, row, edge.end, edge.beside));
+      }
+    }
+  }
+}
+
+/// Whether a plane through an edge leaves the faces of A above and those of B below.
+bool fits(const MovingEdge& a, const MovingEdge& b, const Vec3& normal) {
+  for (std::uint32_t k = 0; k < a.besides; ++k) {
+    if (normal.dot(a.beside[k] - a.start[0]) < 0) return false;
+  }
+  for (std::uint32_t k = 0; k < b.besides; ++k) {
+    if (normal.dot(b.beside[k] - b.start[0]) > 0) return false;
+  }
+  return true;
+}
+
+/// Shares at which the lines of two edges are nearest after a part of the step.
+std::array<double, 2> nearest_shares(const MovingEdge& a, const MovingEdge& b, double part) {
+  const Vec3 u = a.along(part), v = b.along(part), r = a.at(0, part) - b.at(0, part);
+  const double uu = u.squaredNorm(), vv = v.squaredNorm(), uv = u.dot(v);
+  const double across = uu * vv - uv * uv;
+  return {(uv * v.dot(r) - vv * u.dot(r)) / across, (uu * v.dot(r) - uv * u.dot(r)) / across};
+}
+
+bool is_between(double share) { return share > end_share && share < 1 - end_share; }
+
+std::optional<EdgeTouch> touch_of(const MovingEdge& a, const MovingEdge& b, double band) {
+  const auto normal_at = [&](double part) { return Vec3(a.along(part).cross(b.along(part))); };
+  Vec3 normal = normal_at(0);
+  const double length = a.along(0).norm() * b.along(0).norm();
+  if (!(normal.norm() > flat * length)) return std::nullopt;
+  double sign = 1;
+  if (!fits(a, b, normal)) {
+    if (!fits(a, b, -normal)) return std::nullopt;
+    sign = -1;
+  }
+  const auto gap_at = [&](double part) {
+    return sign * normal_at(part).normalized().dot(a.at(0, part) - b.at(0, part));
+  };
+  const double start = gap_at(0), end = gap_at(1);
+  if (start < -10 * band) return std::nullopt;
+  double part = 0;
+  if (start > band) part = end < 0 ? start / (start - end) : (end < start ? 1.0 : 0.0);
+  EdgeTouch touch;
+  touch.normal = sign * normal_at(part).normalized();
+  const auto [s, t] = nearest_shares(a, b, part);
+  if (!is_between(s) || !is_between(t)) return std::nullopt;
+  touch.share_a = s;
+  touch.share_b = t;
+  const Vec3 from = a.at(s, 0) - b.at(t, 0), to = a.at(s, 1) - b.at(t, 1);
+  touch.gap_start = touch.normal.dot(from);
+  touch.gap_end = touch.normal.dot(to);
+  // What stays together as it falls will press once the lowest is stopped.
+  const bool counts = touch.gap_end < (to - from).norm() || touch.gap_end <= 0.01 * band;
+  return counts ? std::optional(touch) : std::nullopt;
+}
+
+/// Shares of the corners of the tetrahedron in which an edge has its place.
+std::array<double, 4> weights_of(const SurfaceEdge& edge, double share, const StepPaths& paths) {
+  std::array<double, 4> weights{};
+  const Corners& corners = paths.corners[tetrahedron_of(edge.face[0]).index()];
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (corners[i] == edge.end[0]) weights[i] = 1 - share;
+    if (corners[i] == edge.end[1]) weights[i] = share;
+  }
+  return weights;
+}
+
+std::uint8_t place_of(const SurfaceEdge& edge) {
+  return static_cast<std::uint8_t>(ContactPoint::edge_place + edge.place);
+}
+
+void add(DetectScratch& scratch, const StepPaths& paths, const MovingEdge& a, const MovingEdge& b,
+         const EdgeTouch& touch, double friction) {
+  ContactPoint contact;
+  contact.friction = friction;
+  const SurfaceEdge& own = scratch.surface.edges[a.row];
+  contact.tetrahedron_a = tetrahedron_of(own.face[0]);
+  contact.place_a = place_of(own);
+  contact.weights_a = weights_of(own, touch.share_a, paths);
+  if (b.is_obstacle) {
+    contact.obstacle = b.row;
+    contact.friction = 0.5 * (friction + paths.obstacles[b.row].friction);
+  } else {
+    const SurfaceEdge& other = scratch.surface.edges[b.row];
+    contact.tetrahedron = tetrahedron_of(other.face[0]);
+    contact.place = place_of(other);
+    contact.weights = weights_on(contact, weights_of(other, touch.share_b, paths), paths);
+  }
+  contact.normal = touch.normal;
+  contact.gap_start = touch.gap_start;
+  contact.offset = touch.gap_end - touch.normal.dot(path_of(contact, paths).end);
+  scratch.found.push_back(contact);
+  scratch.found_gap.push_back(touch.gap_end);
+}
+
+/// Whether the edges are of crack faces that still face each other.
+bool are_partners(const DetectScratch& scratch, const SurfaceEdge& a, const SurfaceEdge& b) {
+  return std::ranges::any_of(a.end, [&](VertexId v) {
+    return std::ranges::any_of(b.end, [&](VertexId w) {
+      return std::ranges::binary_search(scratch.facing, std::pair(v, w));
+    });
+  });
+}
+
+/// Pairs of sharp edges of different pieces by their boxes at the start, widened by `beside`, on
+/// their ways if `moves`.
+void find_pairs(std::vector<RowPair>& found, DetectScratch& scratch, const StepPaths& paths,
+                double beside, bool moves) {
+  SolidPairs& pairs = scratch.solid_pairs;
+  pairs.boxes.clear();
+  pairs.body.clear();
+  pairs.ways.clear();
+  std::vector<std::uint32_t> rows;
+  pairs.moves.assign(paths.state.components.size(), 1);
+  for (std::uint32_t row = 0; row < scratch.surface.edges.size(); ++row) {
+    const SurfaceEdge& own = scratch.surface.edges[row];
+    if (!is_sharp(paths, own) || (moves && !is_member(paths, own))) continue;
+    const MovingEdge edge = moving_edge(paths, own, row);
+    Vec3 way = Vec3::Zero(), wide = Vec3::Constant(beside);
+    if (moves) {
+      way = 0.5 * (edge.end[0] - edge.start[0] + edge.end[1] - edge.start[1]);
+      const Vec3 turned = edge.end[0] - edge.start[0] - way;
+      // Edges that turn that far go on no straight ways: overlaps are found as the step ends.
+      if (turned.norm() > edge.along(0).norm()) continue;
+      wide += turned.cwiseAbs();
+    }
+    pairs.boxes.push_back({edge.start[0].cwiseMin(edge.start[1]) - wide,
+                           edge.start[0].cwiseMax(edge.start[1]) + wide});
+    pairs.ways.push_back(way);
+    pairs.body.push_back(paths.state.vertices.component[own.end[0].index()].value);
+    rows.push_back(row);
+  }
+  find_box_pairs(pairs.found, pairs.grid, {pairs.boxes, pairs.body, pairs.moves, pairs.ways});
+  found.clear();
+  for (const auto& [a, b] : pairs.found) found.emplace_back(rows[a], rows[b]);
+}
+
+/// m: the farthest that a vertex is from where it was, at either end of the step.
+double largest_motion(const StepPaths& paths, std::span<const Vec3> position) {
+  double squared = 0;
+  for (std::size_t v = 0; v < position.size(); ++v) {
+    squared = std::max({squared, (paths.state.vertices.position[v] - position[v]).squaredNorm(),
+                        (paths.predicted[v] - position[v]).squaredNorm()});
+  }
+  return std::sqrt(squared);
+}
+
+/// Rows of edges that may meet in the step. In short sub-steps those that were near are kept.
+const std::vector<RowPair>& pairs_of_edges(DetectScratch& scratch, const StepPaths& paths,
+                                           double band) {
+  EdgePairs& cache = scratch.edge_pairs;
+  const std::vector<Vec3>& position = paths.state.vertices.position;
+  const bool is_same = cache.version == scratch.surface.version &&
+                       cache.position.size() == position.size();
+  if (is_same && largest_motion(paths, cache.position) <= 0.5 * cache.margin) return cache.near;
+  cache.version = 0;  // of no surface
+  double length = 0;
+  for (const SurfaceEdge& edge : scratch.surface.edges) {
+    length += (paths.at_start(edge.end[1]) - paths.at_start(edge.end[0])).norm();
+  }
+  constexpr double share = 0.1;
+  const auto count = static_cast<double>(std::max<std::size_t>(1, scratch.surface.edges.size()));
+  cache.margin = share * length / count;
+  if (!(8 * largest_motion(paths, position) <= cache.margin)) {
+    find_pairs(cache.near, scratch, paths, 10 * band, true);
+    return cache.near;
+  }
+  find_pairs(cache.near, scratch, paths, 10 * band + 0.5 * cache.margin, false);
+  cache.position = position;
+  cache.version = scratch.surface.version;
+  return cache.near;
+}
+
+/// Whether the boxes of two edges on their ways meet, for most pairs less work than their lines.
+bool may_touch(const MovingEdge& a, const MovingEdge& b, double band) {
+  const auto low = [](const MovingEdge& e) {
+    return Vec3(e.start[0].cwiseMin(e.start[1]).cwiseMin(e.end[0]).cwiseMin(e.end[1]));
+  };
+  const auto high = [](const MovingEdge& e) {
+    return Vec3(e.start[0].cwiseMax(e.start[1]).cwiseMax(e.end[0]).cwiseMax(e.end[1]));
+  };
+  const Vec3 gap = (low(a) - high(b)).cwiseMax(low(b) - high(a));
+  return gap.maxCoeff() <= 10 * band;
+}
+
+}  // namespace
+
+bool has_obstacle_edges(const StepPaths& paths, const VertexReach& reach) {
+  bool any = false;
+  for_each_obstacle_edge(paths, reach, [&](const MovingEdge&) { any = true; });
+  return any;
+}
+
+void find_between_edges(DetectScratch& scratch, const StepPaths& paths,
+                        const ContactSettings& settings, const VertexReach& reach) {
+  const double band = settings.allowed_penetration;
+  const auto meet_edges = [&](const MovingEdge& a, const MovingEdge& b) {
+    if (!may_touch(a, b, band)) return;
+    const std::optional<EdgeTouch> touch = touch_of(a, b, band);
+    if (touch) add(scratch, paths, a, b, *touch, settings.friction);
+  };
+  const std::vector<SurfaceEdge>& edges = scratch.surface.edges;
+  for_each_obstacle_edge(paths, reach, [&](const MovingEdge& other) {
+    for (std::uint32_t row = 0; row < edges.size(); ++row) {
+      if (!is_member(paths, edges[row])) continue;
+      const MovingEdge own = moving_edge(paths, edges[row], row);
+      if (may_touch(own, other, band) && is_sharp(paths, edges[row])) meet_edges(own, other);
+    }
+  });
+  if (!has_several_pieces(paths, settings)) return;
+  for (const auto& [a, b] : pairs_of_edges(scratch, paths, band)) {
+    if (!is_member(paths, edges[a]) || !is_member(paths, edges[b])) continue;
+    if (are_partners(scratch, edges[a], edges[b])) continue;
+    meet_edges(moving_edge(paths, edges[a], a), moving_edge(paths, edges[b], b));
+  }
+}
+
+}  // namespace sunder

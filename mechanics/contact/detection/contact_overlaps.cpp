@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+// Overlaps as a step ends, by separating axes.
+#include "mechanics/contact/detection/contact_overlaps.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "mechanics/contact/detection/solid_pairs.hpp"
+#include "mechanics/contact/shapes/manifold.hpp"
+#include "mechanics/contact/shapes/nearest_point.hpp"
+#include "mechanics/contact/shapes/obstacle_geometry.hpp"
+
+namespace sunder {
+namespace {
+
+/// `ContactPoint::place` of overlaps: above the numbers of faces and edges.
+constexpr std::uint8_t first_place = 16;
+/// m: the overlap that is left alone, by the edge at hand. A first look takes a thousandth of it and
+/// more; later ones take what the step should not be left with: solved contacts bear the rest.
+double least_overlap(const ContactSettings& settings, std::uint8_t pass, double edge) {
+  const double share = pass <= 2 ? 1e-3 : 5e-3;
+  return 2 * settings.allowed_penetration + share * edge;
+}
+
+/// Adds a contact that ends with a gap, m.
+void add_with_gap(DetectScratch& scratch, const StepPaths& paths, ContactPoint contact,
+                  double gap_end) {
+  const ContactPath path = path_of(contact, paths);
+  contact.offset = gap_end - contact.normal.dot(path.end);
+  contact.gap_start = contact.normal.dot(path.start) + contact.offset;
+  scratch.found.push_back(contact);
+  scratch.found_gap.push_back(gap_end);
+}
+
+/// Shares of the corners in a point of a tetrahedron's surface: the least is none.
+std::array<double, 4> on_surface(const Places& x, const Vec3& point) {
+  std::array<double, 4> shares = nearest_point(x, point);
+  double& least = *std::ranges::min_element(shares);
+  const double sum = 1 - least;
+  least = 0;
+  for (double& share : shares) share /= sum;
+  return shares;
+}
+
+/// One point of the patch between two tetrahedra as a contact.
+void add(DetectScratch& scratch, const StepPaths& paths, TetId a, TetId b, const Vec3& normal,
+         const Manifold::Point& point, std::uint8_t pass, std::uint8_t number, double friction) {
+  ContactPoint contact;
+  contact.tetrahedron_a = a;
+  contact.tetrahedron = b;
+  contact.place_a = static_cast<std::uint8_t>(first_place + pass);
+  contact.place = static_cast<std::uint8_t>(first_place + number);
+  contact.weights_a = on_surface(places_at_end(paths, a), point.on_a);
+  contact.weights = weights_on(contact, on_surface(places_at_end(paths, b), point.on_b), paths);
+  contact.normal = normal;
+  contact.friction = friction;
+  add_with_gap(scratch, paths, contact, point.separation);
+}
+
+/// Overlaps of a ball with pieces as the step ends.
+void find_ball_overlaps(DetectScratch& scratch, const StepPaths& paths, const BallWay& ball,
+                        const ContactSettings& settings, std::uint8_t pass) {
+  for_each_near(scratch.solid_pairs, ball, [&](TetId t) {
+    const Places x = places_at_end(paths, t);
+    const Manifold patch = collide_ball(ball.end, ball.radius,
+                                        make_tetrahedron(x, outer_faces(paths, t)), {});
+    if (patch.count == 0) return;
+    const double least = least_overlap(settings, pass, std::min(mean_edge(x), ball.radius));
+    if (!(patch.point[0].separation < -least)) return;
+    ContactPoint contact;
+    contact.ball = ball.row;
+    contact.tetrahedron = t;
+    contact.place = static_cast<std::uint8_t>(first_place + pass);
+    contact.weights = weights_on(contact, on_surface(x, patch.point[0].on_b), paths);
+    contact.normal = patch.normal;
+    contact.friction = 0.5 * (settings.friction + paths.obstacles[ball.row].friction);
+    add_with_gap(scratch, paths, contact, patch.point[0].separation);
+  });
+}
+
+/// Whether two tetrahedra begin so deep in each other that no contact of this step made it: bodies
+/// of a scene that overlap, or pieces as waves left them. Vertices and faces push them apart.
+bool begins_inside(const StepPaths& paths, TetId a, TetId b) {
+  const Places p = places_of(paths.corners[a.index()], paths);
+  const Places q = places_of(paths.corners[b.index()], paths);
+  constexpr double deep = 0.05;
+  const double least = -deep * std::min(mean_edge(p), mean_edge(q));
+  return common_gap(p, q, p, q, least) < least;
+}
+
+}  // namespace
+
+void find_overlaps(DetectScratch& scratch, const StepPaths& paths, const ContactSettings& settings,
+                   std::uint8_t pass) {
+  pair_at_end(scratch, paths);
+  const SolidPairs& pairs = scratch.solid_pairs;
+  for (const auto& [first, second] : pairs.found) {
+    const TetId a = pairs.tetrahedra[first], b = pairs.tetrahedra[second];
+    const Places x = places_at_end(paths, a), y = places_at_end(paths, b);
+    PairAxis axis;
+    const Manifold patch = collide(make_tetrahedron(x, outer_faces(paths, a)),
+                                   make_tetrahedron(y, outer_faces(paths, b)), {}, axis);
+    if (patch.count == 0) continue;
+    const double least =
+        least_overlap(settings, pass, std::min(mean_edge(x), mean_edge(y)));
+    const auto count = static_cast<std::size_t>(patch.count);
+    const auto begin = patch.point.begin(), end = begin + patch.count;
+    const bool is_deep = std::any_of(
+        begin, end, [&](const Manifold::Point& p) { return p.separation < -least; });
+    if (!is_deep || are_partners(scratch, paths, a, b) || begins_inside(paths, a, b)) continue;
+    for (std::size_t k = 0; k < count; ++k) {
+      if (patch.point[k].separation >= 0) continue;
+      add(scratch, paths, a, b, patch.normal, patch.point[k], pass,
+          static_cast<std::uint8_t>(k), settings.friction);
+    }
+  }
+  for (BallWay ball : moving_balls(paths)) {
+    ball.start = ball.end;
+    find_ball_overlaps(scratch, paths, ball, settings, pass);
+  }
+}
+
+}  // namespace sunder

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// Edges that meet edges, of pieces and of boxes.
+#include "mechanics/contact/detection/contact_edges.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "tests/mechanics/contact/contact_scene.hpp"
+
+using namespace sunder;
+using namespace sunder::test;
+
+namespace {
+
+/// A bar along x, 1 m long, that stands on one of its edges.
+Body bar_on_edge(double turn, const Vec3& place) {
+  Body bar = kuhn_block({1, 1, 1}, {1, 0.1, 0.1});
+  const Eigen::Quaterniond about_own(Eigen::AngleAxisd(pi / 4, Vec3::UnitX()));
+  const Eigen::Quaterniond about_z(Eigen::AngleAxisd(turn, Vec3::UnitZ()));
+  for (Vec3& x : bar.rest) x = about_z * (about_own * x) + place;
+  return bar;
+}
+
+}  // namespace
+
+TEST_CASE("crossed bars meet edge to edge and do not sink into each other", "[mechanics][contact]") {
+  const double degrees = GENERATE(90.0, 60.0, 30.0, 10.0);
+  const double step = GENERATE(1e-4, 1e-3, 1.0 / 60);
+  INFO(degrees << " degrees, step " << step);
+  const double half = 0.1 / std::sqrt(2.0);
+  const SeveralBodies all = together(
+      {bar_on_edge(0, Vec3::Zero()), bar_on_edge(degrees * pi / 180, Vec3(0, 0, 2 * half + 0.002))});
+  ContactScene scene{all.body, state_of(all, material_of(1e10))};
+  scene.integrator.time_step = step;
+  for (std::size_t k = 0; k < 2; ++k) {
+    scene.state.components[k].rigid = true;
+    place(scene.state, ComponentId{k}, {.velocity = Vec3(0, 0, k == 1 ? -1 : 0)});
+  }
+  const Vec3 momentum = scene.total_momentum(), angular = scene.total_angular_momentum();
+  bool edges_met = false;
+  for (int k = 0; k < 2 + static_cast<int>(0.004 / step); ++k) {
+    for (const ContactPoint& c : scene.step_in_parts().contacts) {
+      const bool is_edge = c.place_a >= ContactPoint::edge_place && c.place >= ContactPoint::edge_place;
+      edges_met = edges_met || is_edge;
+      if (is_edge) CHECK(std::abs(c.normal.z()) > 0.999);
+    }
+  }
+  CHECK(edges_met);
+  const double gap = scene.state.components[1].centre.z() - scene.state.components[0].centre.z();
+  CHECK(gap > 2 * half - 1e-5);
+  CHECK((scene.total_momentum() - momentum).norm() < 1e-12 * momentum.norm());
+  CHECK((scene.total_angular_momentum() - angular).norm() < 1e-10);
+}
+
+TEST_CASE("a bar comes to rest across the edge of a box", "[mechanics][contact]") {
+  const Body bar = bar_on_edge(0.3, Vec3(0, 0, 0.1 / std::sqrt(2.0) + 0.002));
+  ContactScene scene{bar, state_of(together({bar}), material_of(1e10))};
+  scene.state.components[0].rigid = true;
+  scene.loads.gravity = {0, 0, -9.81};
+  scene.integrator.time_step = 1e-3;
+  // A box that stands on an edge below, along y, and no wider than the bar is long.
+  Box box{{0, 0, -std::sqrt(0.5)}, Eigen::Quaterniond(Eigen::AngleAxisd(pi / 4, Vec3::UnitY())),
+          {0.5, 2, 0.5}};
+  scene.obstacles = {{box}};
+  for (int k = 0; k < 40; ++k) scene.step();
+  CHECK(scene.state.components[0].centre.z() > 0.1 / std::sqrt(2.0) - 2e-5);
+}
+
+TEST_CASE("flat seams between faces are no edges", "[mechanics][contact]") {
+  // Two blocks face to face: vertices bear them, and no diagonal of a face meets another.
+  Body top = kuhn_block({2, 2, 2}, {1, 1, 1});
+  for (Vec3& x : top.rest) x += Vec3(0.13, 0.07, 1 + 1e-4);
+  const SeveralBodies all = together({kuhn_block({2, 2, 2}, {1, 1, 1}), top});
+  ContactScene scene{all.body, state_of(all, material_of(1e10))};
+  for (std::size_t k = 0; k < 2; ++k) {
+    scene.state.components[k].rigid = true;
+    place(scene.state, ComponentId{k}, {.velocity = Vec3(0, 0, k == 1 ? -1 : 0)});
+  }
+  scene.integrator.time_step = 1e-3;
+  const ContactStepResult result = scene.step();
+  CHECK(result.report.contacts > 0);
+  for (const ContactPoint& c : result.contacts) {
+    CHECK(std::abs(c.normal.z()) > 0.999);
+    // Along the borders alone.
+    if (c.tetrahedron_a.is_none()) continue;
+    const Vec3 place = nodes_of_a(c, scene.body.corners).sum(scene.state.vertices.position);
+    CHECK((place - scene.state.components[1].centre).cwiseAbs().head<2>().maxCoeff() > 0.499);
+  }
+}
