@@ -8,20 +8,11 @@
 #include <optional>
 
 #include "mechanics/contact/detection/face_touch.hpp"
+#include "mechanics/contact/detection/solid_pairs.hpp"
 #include "mechanics/contact/shapes/nearest_point.hpp"
-#include "mechanics/contact/shapes/obstacle_geometry.hpp"
 
 namespace sunder {
 namespace {
-
-/// The centre of a sphere on its way.
-struct MovingBall {
-  std::uint32_t row = 0;  ///< of the obstacle
-  Vec3 start, end;        ///< m
-  double radius = 0;      ///< m
-
-  Vec3 at(double part) const { return (1 - part) * start + part * end; }
-};
 
 /// Where a ball is nearest to a face on its way, or touches it first.
 struct BallTouch {
@@ -39,7 +30,7 @@ Vec3 point_at(const std::array<double, 3>& foot, const std::array<Vec3, 3>& x) {
 }
 
 /// Whether the way of a ball against a tetrahedron comes near it: an inexpensive bound.
-bool may_meet(const DetectScratch& scratch, const StepPaths& paths, const MovingBall& ball,
+bool may_meet(const DetectScratch& scratch, const StepPaths& paths, const BallWay& ball,
               TetId t) {
   const Corners& corners = paths.corners[t.index()];
   const Vec3 from = ball.start - scratch.centre_start[t.index()];
@@ -57,7 +48,7 @@ bool may_meet(const DetectScratch& scratch, const StepPaths& paths, const Moving
 }
 
 /// Sphere tracing: the distance shrinks no faster than the fastest corner moves against the centre.
-void trace(BallTouch& touch, const StepPaths& paths, const MovingBall& ball,
+void trace(BallTouch& touch, const StepPaths& paths, const BallWay& ball,
            const std::array<VertexId, 3>& corners) {
   double speed = 0;
   const Vec3 way = ball.end - ball.start;
@@ -97,7 +88,7 @@ bool is_beyond(const StepPaths& paths, const SurfaceEdge& edge, const Vec3& out,
 /// Which feature of its face a touch is on, and its normal there. False: of another face, or a
 /// vertex.
 bool classify(BallTouch& touch, const DetectScratch& scratch, const StepPaths& paths,
-              const MovingBall& ball, std::size_t row) {
+              const BallWay& ball, std::size_t row) {
   const std::array<Vec3, 3> x = places_at(paths, corners_of(paths, touch.face), touch.part);
   const Vec3 out = ball.at(touch.part) - point_at(touch.foot, x);
   const auto zeros = std::ranges::count_if(touch.foot, [](double w) { return w < on_face; });
@@ -115,7 +106,7 @@ bool classify(BallTouch& touch, const DetectScratch& scratch, const StepPaths& p
 }
 
 /// Gaps along the normal; whether the ball ends nearer than it moves against the face.
-bool measure(BallTouch& touch, const StepPaths& paths, const MovingBall& ball) {
+bool measure(BallTouch& touch, const StepPaths& paths, const BallWay& ball) {
   const std::array<VertexId, 3> corners = corners_of(paths, touch.face);
   const Vec3 start = ball.start - point_at(touch.foot, places_at(paths, corners, 0));
   const Vec3 end = ball.end - point_at(touch.foot, places_at(paths, corners, 1));
@@ -126,7 +117,7 @@ bool measure(BallTouch& touch, const StepPaths& paths, const MovingBall& ball) {
 
 /// Of a centre that begins inside a component: the face that is nearest to it.
 std::optional<BallTouch> way_out(const DetectScratch& scratch, const StepPaths& paths,
-                                 const MovingBall& ball, ComponentId id) {
+                                 const BallWay& ball, ComponentId id) {
   std::optional<BallTouch> nearest;
   double least = std::numeric_limits<double>::infinity();
   for (const HalfFaceId face : scratch.surface.faces) {
@@ -142,7 +133,7 @@ std::optional<BallTouch> way_out(const DetectScratch& scratch, const StepPaths& 
   return nearest;
 }
 
-void add(DetectScratch& scratch, const StepPaths& paths, const MovingBall& ball,
+void add(DetectScratch& scratch, const StepPaths& paths, const BallWay& ball,
          const BallTouch& touch, double friction) {
   ContactPoint contact;
   contact.ball = ball.row;
@@ -180,7 +171,7 @@ bool holds(const StepPaths& paths, TetId t, const Vec3& point) {
 
 /// Those of a ball with all pieces.
 void find_touches(std::vector<BallTouch>& touches, std::vector<ComponentId>& inside,
-                  const DetectScratch& scratch, const StepPaths& paths, const MovingBall& ball) {
+                  const DetectScratch& scratch, const StepPaths& paths, const BallWay& ball) {
   touches.clear();
   inside.clear();
   TetId last;
@@ -212,7 +203,7 @@ ComponentId component_of(const StepPaths& paths, const BallTouch& touch) {
   return paths.state.elements.component[tetrahedron_of(touch.face).index()];
 }
 
-/// Of touches with one component, those that end behind and come first: who has been stopped there
+/// Of touches with one component, those that end behind and come first: a ball that is stopped there
 /// does not reach the others.
 void keep_first(std::vector<BallTouch>& touches, const StepPaths& paths) {
   constexpr double together = 0.05;
@@ -231,12 +222,7 @@ void keep_first(std::vector<BallTouch>& touches, const StepPaths& paths) {
 void find_balls_on_pieces(DetectScratch& scratch, const StepPaths& paths, double friction) {
   std::vector<BallTouch> touches;
   std::vector<ComponentId> inside;
-  for (std::uint32_t row = 0; row < paths.obstacles.size(); ++row) {
-    const Obstacle& obstacle = paths.obstacles[row];
-    if (!is_sphere(obstacle) || (obstacle.mass && !paths.members.has_ball(row))) continue;
-    const ContactPoint centre{.ball = row};
-    const MovingBall ball{row, start_of_side_a(centre, paths), end_of_side_a(centre, paths),
-                          radius_of(obstacle.shape)};
+  for (const BallWay& ball : moving_balls(paths)) {
     find_touches(touches, inside, scratch, paths, ball);
     std::erase_if(touches, [&](const BallTouch& touch) {
       return std::ranges::find(inside, component_of(paths, touch)) != inside.end();

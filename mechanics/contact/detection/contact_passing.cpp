@@ -103,7 +103,7 @@ bool passes(const DetectScratch& scratch, const StepPaths& paths, TetId a, TetId
   const double arc = sagitta(pair.turning_a.angle, pair.arm_a) +
                      sagitta(pair.turning_b.angle, pair.arm_b);
   if (farthest(p, q, r, s) + arc < tolerance) return false;
-  // Who begins in an overlap is pushed out slowly.
+  // Pieces that begin in an overlap are pushed out slowly.
   if (common_gap(p, q, p, q, -tolerance) < -tolerance) return false;
   if (are_partners(scratch, paths, a, b)) return false;
   if (common_gap(r, s, r, s, -tolerance) < -tolerance) return true;
@@ -133,8 +133,7 @@ bool passes(const StepPaths& paths, const BallWay& ball, TetId t) {
   constexpr int most_looks = 4096;
   double part = 0;
   for (int k = 0; k < most_looks; ++k) {
-    const Vec3 centre = (1 - part) * ball.start + part * ball.end;
-    const double gap = gap_of_ball(centre, ball.radius, places_after(paths, turning, t, part));
+    const double gap = gap_of_ball(ball.at(part), ball.radius, places_after(paths, turning, t, part));
     if (gap < -tolerance) return true;
     if (part >= 1) return false;
     part = std::min(1.0, part + std::max(gap + tolerance, 0.1 * tolerance) / fastest);

@@ -47,8 +47,10 @@ double common_gap(const Places& a, const Places& b, const Places& c, const Place
 /// A sphere on its way, by the row of its obstacle.
 struct BallWay {
   std::uint32_t row = 0;
-  Vec3 start, end;  ///< m
-  double radius = 0;
+  Vec3 start, end;    ///< m, of the centre
+  double radius = 0;  ///< m
+
+  Vec3 at(double part) const { return (1 - part) * start + part * end; }
 };
 
 /// Spheres among the members, driven ones too.
