@@ -191,7 +191,7 @@ ContactStepResult advance_with_contact(const ContactWorld& world, const StepInpu
     predict_balls(step);
   } else {
     update_partners(world.memory, step.scratch.detect, paths_of(step));
-    remember_start(step);
+    if (!step.is_wave()) remember_start(step);
     result.adopted = resolve(step);
     result.passes = result.adopted && has_passing(step);
     result.adopted = result.adopted && !result.passes;

@@ -122,7 +122,7 @@ int most_passes(const ContactStep& step) {
   return answers ? step.settings.max_passes : std::min(step.settings.max_passes, for_others);
 }
 
-/// What counts as no gap error, m, where contacts would end `deepest` too deep. By default a ten
+/// The gap error that counts as none, m, where contacts would end `deepest` too deep. By default a ten
 /// thousandth of the depth that is never pushed out is as good as nothing, in the many short
 /// sub-steps of a wave a thousandth: pieces that lie in a heap are not solved for further. A finer
 /// tolerance, say 1e-8, gets its gaps.

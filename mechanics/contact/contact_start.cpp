@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a step changes before it is adopted, kept for one that is not taken.
+// The start of a step, kept in case that the step is not taken.
 #include "mechanics/contact/contact_step.hpp"
 #include "mechanics/contact/detection/contact_overlaps.hpp"
 

@@ -21,7 +21,7 @@ inline ContactKey key_of(const ContactPoint& c) {
           c.obstacle, c.tetrahedron, c.face,   c.place};
 }
 
-/// What a step changes before it is adopted, as it was.
+/// The values at the start that a step changes before it is adopted.
 struct StepStart {
   std::vector<std::array<Vec3, 2>> momenta;  ///< row = ComponentId: P, L
   std::vector<Rung> rungs;
@@ -45,9 +45,9 @@ struct ContactScratch::Buffers {
 
 /// One step at work.
 struct ContactStep {
-  /// What the next detection looks for.
+  /// The contacts that the next detection looks for.
   enum class Look {
-    resting,   ///< all, but of bodies that rest on something only on what
+    resting,   ///< all; of bodies that rest on something only those with their supports
     all,
     overlaps,  ///< tetrahedra that overlap as the step ends, once all else is solved
   };
@@ -84,7 +84,7 @@ std::array<Component*, 2> sides_of(const ContactStep& step, const ContactPoint& 
 /// Paths through the step as it is predicted now.
 StepPaths paths_of(const ContactStep& step);
 
-/// Keeps what a step changes before it is adopted.
+/// Keeps the values that a step changes before it is adopted. Not for waves, which are always taken.
 void remember_start(ContactStep& step);
 
 /// A step that is not taken leaves nothing behind.

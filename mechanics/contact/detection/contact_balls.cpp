@@ -159,9 +159,7 @@ void add(DetectScratch& scratch, const StepPaths& paths, const BallWay& ball,
   contact.normal = touch.normal;
   contact.gap_start = touch.gap_start;
   contact.friction = 0.5 * (friction + paths.obstacles[ball.row].friction);
-  contact.offset = touch.gap_end - touch.normal.dot(path_of(contact, paths).end);
-  scratch.found.push_back(contact);
-  scratch.found_gap.push_back(touch.gap_end);
+  add_found(scratch, paths, contact, touch.gap_end);
 }
 
 bool holds(const StepPaths& paths, TetId t, const Vec3& point) {

@@ -94,8 +94,8 @@ void find_vertex_obstacle(DetectScratch& scratch, const StepPaths& paths, std::u
   }
 }
 
-/// Leaves out contacts of vertices that rest on one obstacle with another one that they are clear of
-/// once they are lifted off the first: those with what lies flush with it.
+/// Leaves out contacts of vertices that rest on one obstacle with another one that lies flush with it:
+/// a vertex that is lifted off the first is clear of the second.
 void leave_out_seams(DetectScratch& scratch, const StepPaths& paths, double rim) {
   std::vector<std::uint32_t>& order = scratch.order;
   order.resize(scratch.found.size());
@@ -192,6 +192,13 @@ void find_corners(std::vector<CornerPath>& corners, const StepPaths& paths,
 }
 
 }  // namespace
+
+void add_found(DetectScratch& scratch, const StepPaths& paths, ContactPoint contact,
+               double gap_end) {
+  contact.offset = gap_end - contact.normal.dot(path_of(contact, paths).end);
+  scratch.found.push_back(contact);
+  scratch.found_gap.push_back(gap_end);
+}
 
 bool has_several_pieces(const StepPaths& paths, const ContactSettings& settings) {
   const std::vector<ComponentId>& all = paths.state.elements.component;

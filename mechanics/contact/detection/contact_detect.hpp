@@ -133,8 +133,11 @@ Vec3 start_of_side_a(const ContactPoint& contact, const StepPaths& paths);
 /// The same at the predicted end of the step.
 Vec3 end_of_side_a(const ContactPoint& contact, const StepPaths& paths);
 
-/// m: how deep two solids that slide over a seam of others may dip into it and still touch only what
-/// they slide on.
+/// Adds a contact that ends with a gap, m, to `scratch.found`: its offset follows from the paths.
+void add_found(DetectScratch& scratch, const StepPaths& paths, ContactPoint contact,
+               double gap_end);
+
+/// m: how deep solids that slide over a seam may dip into it and touch only their supports.
 inline double rim_of(const ContactSettings& settings) { return 2 * settings.allowed_penetration; }
 
 /// From the point of B, a tetrahedron, to where side A is (`place`), both at the start of a step, m. An

@@ -154,7 +154,7 @@ std::optional<EdgeTouch> touch_of(const MovingEdge& a, const MovingEdge& b, doub
   const Vec3 from = a.at(s, 0) - b.at(t, 0), to = a.at(s, 1) - b.at(t, 1);
   touch.gap_start = touch.normal.dot(from);
   touch.gap_end = touch.normal.dot(to);
-  // What stays together as it falls will press once the lowest is stopped.
+  // Pieces that fall together will press once the lowest is stopped.
   const bool counts = touch.gap_end < (to - from).norm() || touch.gap_end <= 0.01 * band;
   return counts ? std::optional(touch) : std::nullopt;
 }
@@ -193,9 +193,7 @@ void add(DetectScratch& scratch, const StepPaths& paths, const MovingEdge& a, co
   }
   contact.normal = touch.normal;
   contact.gap_start = touch.gap_start;
-  contact.offset = touch.gap_end - touch.normal.dot(path_of(contact, paths).end);
-  scratch.found.push_back(contact);
-  scratch.found_gap.push_back(touch.gap_end);
+  add_found(scratch, paths, contact, touch.gap_end);
 }
 
 /// Whether the edges are of crack faces that still face each other.
@@ -300,7 +298,6 @@ void find_between_edges(DetectScratch& scratch, const StepPaths& paths,
                         const ContactSettings& settings, const VertexReach& reach) {
   const double band = settings.allowed_penetration;
   const auto meet_edges = [&](const MovingEdge& a, const MovingEdge& b) {
-    if (!may_touch(a, b, band)) return;
     const std::optional<EdgeTouch> touch = touch_of(a, b, band);
     if (touch) add(scratch, paths, a, b, *touch, settings.friction);
   };
@@ -316,7 +313,9 @@ void find_between_edges(DetectScratch& scratch, const StepPaths& paths,
   for (const auto& [a, b] : pairs_of_edges(scratch, paths, band)) {
     if (!is_member(paths, edges[a]) || !is_member(paths, edges[b])) continue;
     if (are_partners(scratch, edges[a], edges[b])) continue;
-    meet_edges(moving_edge(paths, edges[a], a), moving_edge(paths, edges[b], b));
+    const MovingEdge one = moving_edge(paths, edges[a], a);
+    const MovingEdge other = moving_edge(paths, edges[b], b);
+    if (may_touch(one, other, band)) meet_edges(one, other);
   }
 }
 

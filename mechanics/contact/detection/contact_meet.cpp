@@ -81,8 +81,8 @@ void take_spanning_sets(ContactStep& step) {
   }
 }
 
-/// Leaves what begins apart to the next pass, for bodies that rest on something: weight that their
-/// supports will bear lets them dip, for a step, into what they slide over.
+/// Leaves contacts that begin apart to the next pass, for bodies that rest on something: weight that
+/// their supports will bear lets them dip, for a step, into the next support.
 void leave_to_next_pass(ContactStep& step) {
   DetectScratch& found = step.scratch.detect;
   const MechanicsState& state = step.pass.state;

@@ -17,7 +17,7 @@ namespace {
 /// `ContactPoint::place` of overlaps: above the numbers of faces and edges.
 constexpr std::uint8_t first_place = 16;
 /// m: the overlap that is left alone, by the edge at hand. A first look takes a thousandth of it and
-/// more; later ones take what the step should not be left with: solved contacts bear the rest.
+/// more; later ones take five thousandths and more, since solved contacts bear the rest.
 double least_overlap(const ContactSettings& settings, std::uint8_t pass, double edge) {
   const double share = pass <= 2 ? 1e-3 : 5e-3;
   return 2 * settings.allowed_penetration + share * edge;
@@ -27,10 +27,8 @@ double least_overlap(const ContactSettings& settings, std::uint8_t pass, double 
 void add_with_gap(DetectScratch& scratch, const StepPaths& paths, ContactPoint contact,
                   double gap_end) {
   const ContactPath path = path_of(contact, paths);
-  contact.offset = gap_end - contact.normal.dot(path.end);
-  contact.gap_start = contact.normal.dot(path.start) + contact.offset;
-  scratch.found.push_back(contact);
-  scratch.found_gap.push_back(gap_end);
+  contact.gap_start = gap_end + contact.normal.dot(path.start - path.end);
+  add_found(scratch, paths, contact, gap_end);
 }
 
 /// Shares of the corners in a point of a tetrahedron's surface: the least is none.

@@ -188,7 +188,7 @@ const FaceTouch* nearest_rest(std::span<const FaceTouch> touches, const StepPath
   return best;
 }
 
-/// What vertices rest on as the step begins.
+/// Supports of vertices as the step begins.
 struct Supports {
   std::span<const ContactPoint> on_obstacles;
   std::span<const FaceTouch> on_pieces;  ///< sorted by vertex
@@ -310,9 +310,7 @@ void add(DetectScratch& scratch, const StepPaths& paths, const FaceTouch& touch,
     contact.gap_start -= bulge_at(contact, corners, touched, paths.state.vertices.position);
     gap_end -= bulge_at(contact, corners, touched, paths.predicted);
   }
-  contact.offset = gap_end - touch.normal.dot(path_of(contact, paths).end);
-  scratch.found.push_back(contact);
-  scratch.found_gap.push_back(gap_end);
+  add_found(scratch, paths, contact, gap_end);
 }
 
 /// The node that the foot of a touch is, or none().

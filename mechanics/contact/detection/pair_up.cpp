@@ -31,7 +31,7 @@ void measure_balls(DetectScratch& scratch, const StepPaths& paths, double share)
 
 namespace {
 
-/// Pairs of vertices and tetrahedra whose ways are long: by the boxes of tetrahedra and corners.
+/// Pairs of vertices and tetrahedra on long ways: by the boxes of tetrahedra and corners.
 void pair_up_by_boxes(DetectScratch& scratch, const StepPaths& paths) {
   SolidPairs& pairs = scratch.solid_pairs;
   pairs.boxes.clear();
@@ -49,7 +49,7 @@ void pair_up_by_boxes(DetectScratch& scratch, const StepPaths& paths) {
       box.low = box.low.cwiseMin(start).cwiseMin(end);
       box.high = box.high.cwiseMax(start).cwiseMax(end);
     }
-    // As near as vertices count as near (`is_near`): by rounding, and what is left alone.
+    // Vertices count as near within rounding and the penetration that is left alone.
     const Vec3 beside = Vec3::Constant(0.1 * scratch.radius[t]);
     pairs.boxes.push_back({box.low - beside, box.high + beside});
     pairs.ways.push_back(way);
@@ -115,7 +115,7 @@ void pair_up(DetectScratch& scratch, const StepPaths& paths) {
     const Vec3 end = centre_of(paths.corners[t], paths.predicted);
     const double motion = (end - scratch.centre_start[t] - mean).norm() + largest;
     scratch.centre_middle[t] = 0.5 * (scratch.centre_start[t] + end);
-    // What is no member meets nothing.
+    // Only members meet.
     const bool is_member = paths.members.has(paths.state.elements.component[t]);
     scratch.reach[t] = is_member ? scratch.radius[t] + 0.5 * motion : 0;
     if (is_member && !(motion < 2 * scratch.radius[t])) is_fast = true;

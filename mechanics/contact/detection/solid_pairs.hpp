@@ -21,7 +21,7 @@ double mean_edge(const Places& x);
 /// A bit for each face of a tetrahedron that is on the surface.
 std::uint32_t outer_faces(const StepPaths& paths, TetId t);
 
-/// m: how far arcs of an angle (rad) go beside their chords, at most, on a circle of radius `arm`.
+/// m: the largest distance of an arc of an angle (rad) from its chord, on a circle of radius `arm`.
 double sagitta(double angle, double arm);
 
 /// The rotation from one orientation to another by its vector, rad times axis, at most half a turn.
@@ -56,7 +56,7 @@ struct BallWay {
 /// Spheres among the members, driven ones too.
 std::vector<BallWay> moving_balls(const StepPaths& paths);
 
-/// Calls `visit(tetrahedron)` for those of `pairs` whose boxes a ball may come to.
+/// Calls `visit(tetrahedron)` for each of `pairs` with a box that a ball may come to.
 template <class Visit>
 void for_each_near(const SolidPairs& pairs, const BallWay& ball, Visit visit) {
   const Vec3 r = Vec3::Constant(ball.radius);

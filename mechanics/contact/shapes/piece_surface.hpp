@@ -42,7 +42,7 @@ struct PieceSurface {
                                    ring_first[v.index() + 1] - ring_first[v.index()]);
   }
 
-  std::uint64_t version = 0;  ///< another one whenever it was made anew
+  std::uint64_t version = 0;  ///< grows with every change of the surface
 
   /// What it was made of.
   std::vector<Corners> corners;
