@@ -9,6 +9,7 @@
 #include "mechanics/contact/contact.hpp"
 #include "mechanics/contact/shapes/box_pairs.hpp"
 #include "mechanics/contact/shapes/contact_pairs.hpp"
+#include "mechanics/contact/shapes/manifold.hpp"
 #include "mechanics/contact/shapes/piece_surface.hpp"
 #include "mechanics/state/pose.hpp"
 
@@ -31,12 +32,12 @@ struct SolidPairs {
   BoxScratch grid;
 };
 
-/// Sharp edges of different pieces that are near each other, while vertices stay near `position`.
-struct EdgePairs {
-  std::vector<RowPair> near;     ///< rows of `PieceSurface::edges`
-  std::vector<Vec3> position;    ///< |V|, m
-  std::uint64_t version = 0;     ///< of the surface
-  double margin = 0;             ///< m: vertices may move by half of it
+/// Pairs of different pieces that may meet while no vertex moves far from `position`.
+struct NearPairs {
+  std::vector<RowPair> found;
+  std::vector<Vec3> position;  ///< |V|, m
+  std::uint64_t version = 0;   ///< of the surface; 0: of none
+  double margin = 0;           ///< m: vertices may move by half of it
 };
 
 /// Buffers of detection, kept from step to step.
@@ -53,7 +54,10 @@ struct DetectScratch {
   std::vector<CornerPath> corner;
   PieceSurface surface;
   SolidPairs solid_pairs;
-  EdgePairs edge_pairs;
+  std::vector<Bounds> edge_boxes;  ///< row = edge of the surface: on its way, widened
+  NearPairs near_edges;   ///< rows of `PieceSurface::edges`
+  NearPairs near_solids;  ///< numbers of tetrahedra
+  std::vector<PairAxis> solid_axes;  ///< row = pair of `near_solids`: what decided it last
   std::vector<std::pair<VertexId, VertexId>> facing;  ///< of partners, both ways, sorted
   std::vector<ContactPoint> found;
   std::vector<double> found_gap;  ///< m, end of the step, in the tangent plane

@@ -8,6 +8,7 @@
 
 #include "mechanics/contact/detection/contact_partners.hpp"
 #include "mechanics/contact/detection/face_touch.hpp"
+#include "mechanics/contact/detection/solid_pairs.hpp"
 #include "mechanics/contact/shapes/box_pairs.hpp"
 #include "mechanics/contact/shapes/obstacle_geometry.hpp"
 #include "mechanics/contact/shapes/solid_surface.hpp"
@@ -238,52 +239,34 @@ void find_pairs(std::vector<RowPair>& found, DetectScratch& scratch, const StepP
   for (const auto& [a, b] : pairs.found) found.emplace_back(rows[a], rows[b]);
 }
 
-/// m: the farthest that a vertex is from where it was, at either end of the step.
-double largest_motion(const StepPaths& paths, std::span<const Vec3> position) {
-  double squared = 0;
-  for (std::size_t v = 0; v < position.size(); ++v) {
-    squared = std::max({squared, (paths.state.vertices.position[v] - position[v]).squaredNorm(),
-                        (paths.predicted[v] - position[v]).squaredNorm()});
-  }
-  return std::sqrt(squared);
-}
-
-/// Rows of edges that may meet in the step. In short sub-steps those that were near are kept.
+/// Rows of edges that may meet in the step.
 const std::vector<RowPair>& pairs_of_edges(DetectScratch& scratch, const StepPaths& paths,
                                            double band) {
-  EdgePairs& cache = scratch.edge_pairs;
-  const std::vector<Vec3>& position = paths.state.vertices.position;
-  const bool is_same = cache.version == scratch.surface.version &&
-                       cache.position.size() == position.size();
-  if (is_same && largest_motion(paths, cache.position) <= 0.5 * cache.margin) return cache.near;
-  cache.version = 0;  // of no surface
-  double length = 0;
-  for (const SurfaceEdge& edge : scratch.surface.edges) {
-    length += (paths.at_start(edge.end[1]) - paths.at_start(edge.end[0])).norm();
-  }
-  constexpr double share = 0.1;
-  const auto count = static_cast<double>(std::max<std::size_t>(1, scratch.surface.edges.size()));
-  cache.margin = share * length / count;
-  if (!(8 * largest_motion(paths, position) <= cache.margin)) {
-    find_pairs(cache.near, scratch, paths, 10 * band, true);
-    return cache.near;
-  }
-  find_pairs(cache.near, scratch, paths, 10 * band + 0.5 * cache.margin, false);
-  cache.position = position;
-  cache.version = scratch.surface.version;
-  return cache.near;
+  NearPairs& near = scratch.near_edges;
+  if (still_holds(near, scratch.surface, paths)) return near.found;
+  const bool keeps = keep_from_here(near, scratch.surface, paths);
+  find_pairs(near.found, scratch, paths, 10 * band + (keeps ? 0.5 * near.margin : 0), !keeps);
+  return near.found;
 }
 
-/// Whether the boxes of two edges on their ways meet, for most pairs less work than their lines.
-bool may_touch(const MovingEdge& a, const MovingEdge& b, double band) {
-  const auto low = [](const MovingEdge& e) {
-    return Vec3(e.start[0].cwiseMin(e.start[1]).cwiseMin(e.end[0]).cwiseMin(e.end[1]));
-  };
-  const auto high = [](const MovingEdge& e) {
-    return Vec3(e.start[0].cwiseMax(e.start[1]).cwiseMax(e.end[0]).cwiseMax(e.end[1]));
-  };
-  const Vec3 gap = (low(a) - high(b)).cwiseMax(low(b) - high(a));
-  return gap.maxCoeff() <= 10 * band;
+/// The box around the straight way of an edge.
+Bounds bounds_of(const MovingEdge& e) {
+  return {e.start[0].cwiseMin(e.start[1]).cwiseMin(e.end[0]).cwiseMin(e.end[1]),
+          e.start[0].cwiseMax(e.start[1]).cwiseMax(e.end[0]).cwiseMax(e.end[1])};
+}
+
+/// Row = edge of the surface: the boxes around their ways, widened.
+void box_edges(std::vector<Bounds>& boxes, const std::vector<SurfaceEdge>& edges,
+               const StepPaths& paths, double beside) {
+  const Vec3 wide = Vec3::Constant(beside);
+  boxes.clear();
+  for (const SurfaceEdge& edge : edges) {
+    const auto& [a, b] = edge.end;
+    const Vec3 &p = paths.at_start(a), &q = paths.at_start(b);
+    const Vec3 &r = paths.at_end(a), &s = paths.at_end(b);
+    boxes.push_back({p.cwiseMin(q).cwiseMin(r).cwiseMin(s) - wide,
+                     p.cwiseMax(q).cwiseMax(r).cwiseMax(s) + wide});
+  }
 }
 
 }  // namespace
@@ -302,20 +285,21 @@ void find_between_edges(DetectScratch& scratch, const StepPaths& paths,
     if (touch) add(scratch, paths, a, b, *touch, settings.friction);
   };
   const std::vector<SurfaceEdge>& edges = scratch.surface.edges;
+  std::vector<Bounds>& boxes = scratch.edge_boxes;
+  box_edges(boxes, edges, paths, 10 * band);
   for_each_obstacle_edge(paths, reach, [&](const MovingEdge& other) {
+    const Bounds way = bounds_of(other);
     for (std::uint32_t row = 0; row < edges.size(); ++row) {
-      if (!is_member(paths, edges[row])) continue;
-      const MovingEdge own = moving_edge(paths, edges[row], row);
-      if (may_touch(own, other, band) && is_sharp(paths, edges[row])) meet_edges(own, other);
+      if (!way.overlaps(boxes[row]) || !is_member(paths, edges[row])) continue;
+      if (is_sharp(paths, edges[row])) meet_edges(moving_edge(paths, edges[row], row), other);
     }
   });
   if (!has_several_pieces(paths, settings)) return;
   for (const auto& [a, b] : pairs_of_edges(scratch, paths, band)) {
+    if (!boxes[a].overlaps(boxes[b])) continue;
     if (!is_member(paths, edges[a]) || !is_member(paths, edges[b])) continue;
     if (are_partners(scratch, edges[a], edges[b])) continue;
-    const MovingEdge one = moving_edge(paths, edges[a], a);
-    const MovingEdge other = moving_edge(paths, edges[b], b);
-    if (may_touch(one, other, band)) meet_edges(one, other);
+    meet_edges(moving_edge(paths, edges[a], a), moving_edge(paths, edges[b], b));
   }
 }
 

@@ -128,6 +128,10 @@ bool detect_contacts(ContactStep& step) {
     return true;
   }
   find_contacts(scratch, step.memory, paths_of(step), step.settings);
+  if (step.is_wave() && may_overlap(paths_of(step), step.settings)) {
+    // Few passes follow in a sub-step: what would come in the last of a whole step comes at once.
+    find_overlaps(scratch, paths_of(step), step.settings, 0);
+  }
   if (step.look == ContactStep::Look::resting) leave_to_next_pass(step);
   if (!step.pass.input.part.impact || step.is_wave()) return true;
   look_for_blows(step);

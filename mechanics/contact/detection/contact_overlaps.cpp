@@ -91,14 +91,17 @@ bool begins_inside(const StepPaths& paths, TetId a, TetId b) {
 
 void find_overlaps(DetectScratch& scratch, const StepPaths& paths, const ContactSettings& settings,
                    std::uint8_t pass) {
-  pair_at_end(scratch, paths);
-  const SolidPairs& pairs = scratch.solid_pairs;
-  for (const auto& [first, second] : pairs.found) {
-    const TetId a = pairs.tetrahedra[first], b = pairs.tetrahedra[second];
+  const std::vector<RowPair>& pairs = pairs_at_end(scratch, paths);
+  for (std::size_t row = 0; row < pairs.size(); ++row) {
+    const TetId a{pairs[row].first}, b{pairs[row].second};
+    const auto is_member = [&](TetId t) {
+      return paths.members.has(paths.state.elements.component[t.index()]);
+    };
     const Places x = places_at_end(paths, a), y = places_at_end(paths, b);
-    PairAxis axis;
-    const Manifold patch = collide(make_tetrahedron(x, outer_faces(paths, a)),
-                                   make_tetrahedron(y, outer_faces(paths, b)), {}, axis);
+    if (!bounds_of(x).overlaps(bounds_of(y)) || !is_member(a) || !is_member(b)) continue;
+    const Manifold patch =
+        collide(make_tetrahedron(x, outer_faces(paths, a)),
+                make_tetrahedron(y, outer_faces(paths, b)), {}, scratch.solid_axes[row]);
     if (patch.count == 0) continue;
     const double least =
         least_overlap(settings, pass, std::min(mean_edge(x), mean_edge(y)));
@@ -113,7 +116,9 @@ void find_overlaps(DetectScratch& scratch, const StepPaths& paths, const Contact
           static_cast<std::uint8_t>(k), settings.friction);
     }
   }
-  for (BallWay ball : moving_balls(paths)) {
+  const std::vector<BallWay> balls = moving_balls(paths);
+  if (!balls.empty()) box_at_end(scratch, paths);
+  for (BallWay ball : balls) {
     ball.start = ball.end;
     find_ball_overlaps(scratch, paths, ball, settings, pass);
   }

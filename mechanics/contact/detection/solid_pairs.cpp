@@ -47,28 +47,19 @@ Vec3 edge_of(const Places& x, std::size_t e) {
   return x[static_cast<std::size_t>(j)] - x[static_cast<std::size_t>(i)];
 }
 
-Bounds bounds_of(const Places& x) {
-  Bounds box{x[0], x[0]};
-  for (const Vec3& corner : x) {
-    box.low = box.low.cwiseMin(corner);
-    box.high = box.high.cwiseMax(corner);
-  }
-  return box;
-}
-
-/// Pairs by the box and the way that `box_of(tetrahedron, component)` gives.
+/// Tetrahedra on surfaces with the box and the way that `box_of(tetrahedron, component)` gives;
+/// those of members only, or of all.
 template <class BoxOf>
-void pair(DetectScratch& scratch, const StepPaths& paths, BoxOf box_of) {
+void box_tetrahedra(DetectScratch& scratch, const StepPaths& paths, bool of_all, BoxOf box_of) {
   SolidPairs& pairs = scratch.solid_pairs;
   pairs.boxes.clear();
   pairs.body.clear();
   pairs.ways.clear();
   pairs.tetrahedra.clear();
-  pairs.moves.assign(paths.state.components.size(), 1);
   for (const HalfFaceId face : scratch.surface.faces) {
     const TetId t = tetrahedron_of(face);
     const ComponentId id = paths.state.elements.component[t.index()];
-    if (!paths.members.has(id)) continue;
+    if (!of_all && !paths.members.has(id)) continue;
     if (!pairs.tetrahedra.empty() && pairs.tetrahedra.back() == t) continue;
     const auto [box, way] = box_of(t, id);
     pairs.tetrahedra.push_back(t);
@@ -76,7 +67,21 @@ void pair(DetectScratch& scratch, const StepPaths& paths, BoxOf box_of) {
     pairs.body.push_back(id.value);
     pairs.ways.push_back(way);
   }
+}
+
+void pair_boxes(SolidPairs& pairs, const StepPaths& paths) {
+  pairs.moves.assign(paths.state.components.size(), 1);
   find_box_pairs(pairs.found, pairs.grid, {pairs.boxes, pairs.body, pairs.moves, pairs.ways});
+}
+
+/// m: the farthest that a vertex is from where it was, at either end of the step.
+double largest_motion(const StepPaths& paths, std::span<const Vec3> position) {
+  double squared = 0;
+  for (std::size_t v = 0; v < position.size(); ++v) {
+    squared = std::max({squared, (paths.state.vertices.position[v] - position[v]).squaredNorm(),
+                        (paths.predicted[v] - position[v]).squaredNorm()});
+  }
+  return std::sqrt(squared);
 }
 
 }  // namespace
@@ -89,6 +94,15 @@ Vec3 turn_between(const Eigen::Quaterniond& from, const Eigen::Quaterniond& to) 
   const double sine = turn.vec().norm();
   if (sine == 0) return Vec3::Zero();
   return 2 * direction_angle(sine, turn.w()) / sine * turn.vec();
+}
+
+Bounds bounds_of(const Places& x) {
+  Bounds box{x[0], x[0]};
+  for (const Vec3& corner : x) {
+    box.low = box.low.cwiseMin(corner);
+    box.high = box.high.cwiseMax(corner);
+  }
+  return box;
 }
 
 Places places_at_end(const StepPaths& paths, TetId t) {
@@ -114,7 +128,7 @@ std::uint32_t outer_faces(const StepPaths& paths, TetId t) {
 }
 
 void pair_on_ways(DetectScratch& scratch, const StepPaths& paths) {
-  pair(scratch, paths, [&](TetId t, ComponentId id) {
+  box_tetrahedra(scratch, paths, false, [&](TetId t, ComponentId id) {
     const Places start = places_of(paths.corners[t.index()], paths), end = places_at_end(paths, t);
     const Vec3 from = scratch.centre_start[t.index()];
     const Vec3 way = centre_of(paths.corners[t.index()], paths.predicted) - from;
@@ -132,12 +146,58 @@ void pair_on_ways(DetectScratch& scratch, const StepPaths& paths) {
     box.high += Vec3::Constant(arc);
     return std::pair(box, way);
   });
+  pair_boxes(scratch.solid_pairs, paths);
 }
 
-void pair_at_end(DetectScratch& scratch, const StepPaths& paths) {
-  pair(scratch, paths, [&](TetId t, ComponentId) {
+bool still_holds(const NearPairs& pairs, const PieceSurface& surface, const StepPaths& paths) {
+  return pairs.version != 0 && pairs.version == surface.version &&
+         pairs.position.size() == paths.predicted.size() &&
+         largest_motion(paths, pairs.position) <= 0.5 * pairs.margin;
+}
+
+bool keep_from_here(NearPairs& pairs, const PieceSurface& surface, const StepPaths& paths) {
+  pairs.version = 0;
+  double length = 0;
+  for (const SurfaceEdge& edge : surface.edges) {
+    length += (paths.at_start(edge.end[1]) - paths.at_start(edge.end[0])).norm();
+  }
+  constexpr double share = 0.1;
+  const auto count = static_cast<double>(std::max<std::size_t>(1, surface.edges.size()));
+  pairs.margin = share * length / count;
+  const std::vector<Vec3>& position = paths.state.vertices.position;
+  if (!(8 * largest_motion(paths, position) <= pairs.margin)) return false;
+  pairs.position = position;
+  pairs.version = surface.version;
+  return true;
+}
+
+void box_at_end(DetectScratch& scratch, const StepPaths& paths) {
+  box_tetrahedra(scratch, paths, false, [&](TetId t, ComponentId) {
     return std::pair(bounds_of(places_at_end(paths, t)), Vec3(Vec3::Zero()));
   });
+}
+
+const std::vector<RowPair>& pairs_at_end(DetectScratch& scratch, const StepPaths& paths) {
+  NearPairs& near = scratch.near_solids;
+  if (still_holds(near, scratch.surface, paths)) return near.found;
+  const bool keeps = keep_from_here(near, scratch.surface, paths);
+  if (keeps) {
+    const Vec3 wide = Vec3::Constant(0.5 * near.margin);
+    box_tetrahedra(scratch, paths, true, [&](TetId t, ComponentId) {
+      const Bounds box = bounds_of(places_of(paths.corners[t.index()], paths));
+      return std::pair(Bounds{box.low - wide, box.high + wide}, Vec3(Vec3::Zero()));
+    });
+  } else {
+    box_at_end(scratch, paths);
+  }
+  SolidPairs& pairs = scratch.solid_pairs;
+  pair_boxes(pairs, paths);
+  near.found.clear();
+  for (const auto& [a, b] : pairs.found) {
+    near.found.emplace_back(pairs.tetrahedra[a].value, pairs.tetrahedra[b].value);
+  }
+  scratch.solid_axes.assign(near.found.size(), {});
+  return near.found;
 }
 
 bool are_partners(const DetectScratch& scratch, const StepPaths& paths, TetId a, TetId b) {

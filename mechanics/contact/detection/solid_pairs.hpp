@@ -18,6 +18,9 @@ Places places_at_end(const StepPaths& paths, TetId t);
 
 double mean_edge(const Places& x);
 
+/// The box around the corners.
+Bounds bounds_of(const Places& x);
+
 /// A bit for each face of a tetrahedron that is on the surface.
 std::uint32_t outer_faces(const StepPaths& paths, TetId t);
 
@@ -31,8 +34,19 @@ Vec3 turn_between(const Eigen::Quaterniond& from, const Eigen::Quaterniond& to);
 /// `scratch.solid_pairs`. Needs: `scratch.surface`, `measure_balls`.
 void pair_on_ways(DetectScratch& scratch, const StepPaths& paths);
 
-/// The same of those that may overlap as the step ends: boxes there, without ways.
-void pair_at_end(DetectScratch& scratch, const StepPaths& paths);
+/// Whether all that may meet in the step is among pairs found before.
+bool still_holds(const NearPairs& pairs, const PieceSurface& surface, const StepPaths& paths);
+
+/// Begins pairs anew, from the places as the step begins. True where they can be kept for steps to
+/// come, if boxes are widened by half of the margin: in short sub-steps.
+bool keep_from_here(NearPairs& pairs, const PieceSurface& surface, const StepPaths& paths);
+
+/// Numbers of tetrahedra on the surfaces of different pieces whose boxes may meet as the step ends,
+/// in `scratch.near_solids`; rows of `scratch.solid_axes` are theirs. Needs: `scratch.surface`.
+const std::vector<RowPair>& pairs_at_end(DetectScratch& scratch, const StepPaths& paths);
+
+/// Tetrahedra of members with their boxes as the step ends, into `scratch.solid_pairs`.
+void box_at_end(DetectScratch& scratch, const StepPaths& paths);
 
 /// Whether two tetrahedra have crack faces that still face each other.
 bool are_partners(const DetectScratch& scratch, const StepPaths& paths, TetId a, TetId b);
