@@ -162,7 +162,7 @@ constexpr auto member_names(const Partner*) {
 }
 constexpr auto member_names(const ContactMemory::Remembered*) { return names("contact", "step"); }
 constexpr auto member_names(const ContactPoint*) {
-  return names("vertex", "tetrahedron_a", "ball", "corner", "tetrahedron", "obstacle", "face", "place",
+  return names("vertex", "tetrahedron_a", "ball", "corner", "edge_a", "tetrahedron", "obstacle", "edge_b", "face", "place",
                "place_a", "weights_a", "weights", "normal", "offset", "gap_start", "friction",
                "impulse");
 }

@@ -42,9 +42,7 @@ namespace {
 /// m: of a sphere on a piece, whose paths are those of its centre: how much less the piece's matter
 /// moves where they touch than it would at the centre.
 Vec3 turn_of_arm(const ContactStep& step, const ContactPoint& contact) {
-  if (contact.is_body_a() || contact.corner != ContactPoint::none || !contact.is_body_b()) {
-    return Vec3::Zero();
-  }
+  if (!contact.is_sphere_a() || !contact.is_body_b()) return Vec3::Zero();
   const Vec3 arm = radius_of(step.pass.obstacles[contact.ball].shape) * contact.normal;
   const ComponentId id = component_of_b(contact, step.pass.state);
   const Eigen::Quaterniond turn =

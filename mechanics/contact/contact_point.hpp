@@ -12,8 +12,8 @@
 
 namespace sunder {
 
-/// One unilateral contact with friction. Side A is a vertex, a point of an edge of a tetrahedron, a
-/// sphere, or a corner of another obstacle; side B an obstacle, a face or an edge of a tetrahedron
+/// One unilateral contact with friction. Side A is a vertex, a point of a tetrahedron, a sphere, or a
+/// corner or a point of an edge of another obstacle; side B an obstacle, a face or an edge of a tetrahedron
 /// (its ball for `penalty`), or the vertex of it that was one with A before a crack (`Partner`). What B gets acts at the place of A, so that no angular
 /// momentum is lost, and is shared among the corners by `weights`.
 struct ContactPoint {
@@ -22,9 +22,11 @@ struct ContactPoint {
   VertexId vertex;                ///< A, or
   TetId tetrahedron_a;            ///< A: `weights_a` of its corners, or
   std::uint32_t ball = none;      ///< A: row of a sphere, or of an obstacle with corners,
-  std::uint32_t corner = none;    ///< and which of them (`corners_of`)
+  std::uint32_t corner = none;    ///< and which of them (`corner_at`), or
+  std::uint32_t edge_a = none;    ///< which of its edges (`edge_at`): `weights_a` of its two ends
   TetId tetrahedron;              ///< B, or
-  std::uint32_t obstacle = none;  ///< B: row of an obstacle
+  std::uint32_t obstacle = none;  ///< B: row of an obstacle,
+  std::uint32_t edge_b = none;    ///< and which of its edges, where one is met
   /// Of partners: the lowest crack face of A's side that the contact stands for; none() otherwise.
   HalfFaceId face;
   /// The feature of B's tetrahedron that is met: 0 to 3 its faces, from `edge_place` on its edges.
@@ -44,6 +46,8 @@ struct ContactPoint {
 
   bool is_body_a() const { return ball == none; }      ///< A: of a body, not of an obstacle
   bool is_body_b() const { return obstacle == none; }  ///< B: likewise
+  /// A: a sphere, whose path is that of its centre.
+  bool is_sphere_a() const { return ball != none && corner == none && edge_a == none; }
 };
 
 /// The component that side A is of; none() for an obstacle.

@@ -14,11 +14,11 @@ namespace sunder {
 
 /// What tells contacts apart.
 using ContactKey =
-    std::tuple<std::uint32_t, std::uint32_t, VertexId, TetId, std::uint8_t, std::uint32_t, TetId,
-               HalfFaceId, std::uint8_t>;
+    std::tuple<std::uint32_t, std::uint32_t, std::uint32_t, VertexId, TetId, std::uint8_t,
+               std::uint32_t, std::uint32_t, TetId, HalfFaceId, std::uint8_t>;
 inline ContactKey key_of(const ContactPoint& c) {
-  return {c.ball,     c.corner,      c.vertex, c.tetrahedron_a, c.place_a,
-          c.obstacle, c.tetrahedron, c.face,   c.place};
+  return {c.ball,   c.corner,      c.edge_a, c.vertex, c.tetrahedron_a, c.place_a, c.obstacle,
+          c.edge_b, c.tetrahedron, c.face,   c.place};
 }
 
 /// The values at the start that a step changes before it is adopted.

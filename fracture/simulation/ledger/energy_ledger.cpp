@@ -116,8 +116,7 @@ Vec3 start_of_side_a(const AdoptedPart& part, const ContactPoint& c) {
   if (c.is_body_a()) {
     return nodes_of_a(c, part.input.corners).sum(part.before.position);
   }
-  const Shape& shape = part.before.obstacles[c.ball].shape;
-  return c.corner == ContactPoint::none ? pose_of(shape).centre : corner_at(shape, c.corner);
+  return point_of_obstacle(c, part.before.obstacles[c.ball].shape);
 }
 
 /// Way of a rigid body's matter at `place` (m) by its velocity after the blows that it takes as the

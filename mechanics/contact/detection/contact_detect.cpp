@@ -224,6 +224,7 @@ void find_contacts(DetectScratch& scratch, const ContactMemory& memory, const St
   }
   if (paths.obstacles.size() > 1) leave_out_seams(scratch, paths, rim);
   find_between_obstacles(scratch, paths, rim);
+  find_edges_of_obstacles(scratch, paths, settings);
   if (settings.between_pieces) find_between_partners(scratch, memory, paths, settings);
   if (paths.neighbours.empty()) return;
   StepPaths with_corners = paths;

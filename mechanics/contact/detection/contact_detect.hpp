@@ -131,6 +131,10 @@ TouchedNodes touched_nodes(const ContactPoint& contact, const MechanicsState& st
 /// Side A is where they are on the mean. Needs: A of a body.
 TouchedNodes nodes_of_a(const ContactPoint& contact, std::span<const Corners> corners);
 
+/// Where side A of a contact is on its obstacle, put as `shape` is, m: the centre of a ball.
+/// Needs: A of an obstacle.
+Vec3 point_of_obstacle(const ContactPoint& contact, const Shape& shape);
+
 /// Where side A of a contact is at the start, m: the centre of a ball.
 Vec3 start_of_side_a(const ContactPoint& contact, const StepPaths& paths);
 
@@ -191,7 +195,8 @@ bool has_several_pieces(const StepPaths& paths, const ContactSettings& settings)
 bool may_overlap(const StepPaths& paths, const ContactSettings& settings);
 
 /// All contacts whose path ends nearer to the tangent plane than it is long, into `scratch.found`,
-/// in the order: vertices by obstacle, balls, partners, pieces by vertex, balls on pieces, edges.
+/// in the order: vertices by obstacle, obstacles by corner and then by edge, partners, pieces by
+/// vertex, balls on pieces, edges.
 /// `settings` gives the friction.
 void find_contacts(DetectScratch& scratch, const ContactMemory& memory, const StepPaths& paths,
                    const ContactSettings& settings);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "mechanics/contact/detection/contact_partners.hpp"
@@ -19,7 +20,7 @@ namespace {
 /// Share of an edge at either end that is left to its vertex.
 constexpr double end_share = 0.02;
 /// Sine of the angle between two faces, or two edges, below which they count as one plane or line.
-constexpr double flat = 0.02;
+constexpr double flat_sine = 0.02;
 
 /// An edge of a piece or of an obstacle on its way.
 struct MovingEdge {
@@ -27,6 +28,7 @@ struct MovingEdge {
   std::array<Vec3, 2> beside;      ///< m, at the start: points of its faces beside it
   std::uint32_t besides = 0;       ///< how many of them
   std::uint32_t row = 0;           ///< of `surface.edges`, or the obstacle
+  std::uint32_t number = 0;        ///< of an obstacle: `edge_at`
   bool is_obstacle = false;
 
   Vec3 along(double part) const {
@@ -49,7 +51,7 @@ bool is_sharp(const StepPaths& paths, const SurfaceEdge& edge) {
   if (edge.face[1].is_none()) return true;
   const std::array<Vec3, 3> x = places_at(paths, corners_of(paths, edge.face[0]), 0);
   const Vec3 beside = paths.at_start(edge.beside[1]) - paths.at_start(edge.end[0]);
-  return normal_of(x).dot(beside) < -flat * beside.norm();
+  return normal_of(x).dot(beside) < -flat_sine * beside.norm();
 }
 
 MovingEdge moving_edge(const StepPaths& paths, const SurfaceEdge& edge, std::uint32_t row) {
@@ -67,56 +69,71 @@ bool is_member(const StepPaths& paths, const SurfaceEdge& edge) {
   return paths.members.has(paths.state.vertices.component[edge.end[0].index()]);
 }
 
-/// The way of an edge between two corners of an obstacle.
-MovingEdge moving_edge(const StepPaths& paths, std::uint32_t row,
-                       const std::array<std::uint32_t, 2>& end,
-                       const std::array<std::uint32_t, 2>& beside) {
-  MovingEdge moving{.besides = 2, .row = row, .is_obstacle = true};
+MovingEdge moving_edge(const StepPaths& paths, std::uint32_t row, std::uint32_t number) {
+  const Shape& shape = paths.obstacles[row].shape;
+  const SolidSurface::Edge edge = edge_at(shape, number);
+  MovingEdge moving{.besides = 2, .row = row, .number = number, .is_obstacle = true};
   for (std::size_t k = 0; k < 2; ++k) {
-    const ContactPoint corner{.ball = row, .corner = end[k]};
+    const ContactPoint corner{.ball = row, .corner = edge.end[k]};
     moving.start[k] = start_of_side_a(corner, paths);
     moving.end[k] = end_of_side_a(corner, paths);
-    moving.beside[k] = corner_at(paths.obstacles[row].shape, beside[k]);
+    moving.beside[k] = corner_at(shape, edge.beside[k]);
   }
   return moving;
 }
 
-/// Calls `visit(edge)` for each sharp edge of a box or mesh that comes within reach.
+/// The box around the straight way of an edge.
+Bounds bounds_of(const MovingEdge& e) {
+  return {e.start[0].cwiseMin(e.start[1]).cwiseMin(e.end[0]).cwiseMin(e.end[1]),
+          e.start[0].cwiseMax(e.start[1]).cwiseMax(e.end[0]).cwiseMax(e.end[1])};
+}
+
+Bounds widened(const Bounds& box, double beside) {
+  return {box.low - Vec3::Constant(beside), box.high + Vec3::Constant(beside)};
+}
+
+/// Calls `visit(edge)` for each sharp edge of an obstacle that comes into a box on its way.
 template <class Visit>
-void for_each_obstacle_edge(const StepPaths& paths, const VertexReach& reach, Visit visit) {
-  const auto visit_near = [&](const MovingEdge& e) {
-    const Vec3 low = e.start[0].cwiseMin(e.start[1]).cwiseMin(e.end[0]).cwiseMin(e.end[1]);
-    const Vec3 high = e.start[0].cwiseMax(e.start[1]).cwiseMax(e.end[0]).cwiseMax(e.end[1]);
-    if (reach.meets(low, high)) visit(e);
-  };
-  for (std::uint32_t row = 0; row < paths.obstacles.size(); ++row) {
-    const Obstacle& obstacle = paths.obstacles[row];
-    if (obstacle.mass && !paths.members.has_ball(row)) continue;
-    if (std::holds_alternative<Box>(obstacle.shape)) {
-      for (std::uint32_t c = 0; c < 8; ++c) {
-        for (std::uint32_t bit = 1; bit < 8; bit <<= 1) {
-          const std::uint32_t next = bit == 4 ? 1 : bit << 1, last = 7 ^ bit ^ next;
-          if (c & bit) continue;
-          visit_near(moving_edge(paths, row, {c, c ^ bit}, {c ^ next, c ^ last}));
-        }
-      }
-    } else if (const auto* solid = std::get_if<Solid>(&obstacle.shape)) {
-      for (const SolidSurface::Edge& edge : solid->surface->sharp_edges) {
-        visit_near(moving_edge(paths, row, edge.end, edge.beside));
-      }
-    }
+void for_each_edge_within(const StepPaths& paths, std::uint32_t row, const Bounds& box,
+                          Visit visit) {
+  const Obstacle& obstacle = paths.obstacles[row];
+  if (obstacle.mass && !paths.members.has_ball(row)) return;
+  const auto count = static_cast<std::uint32_t>(edge_count(obstacle.shape));
+  for (std::uint32_t number = 0; number < count; ++number) {
+    const MovingEdge edge = moving_edge(paths, row, number);
+    if (bounds_of(edge).overlaps(box)) visit(edge);
   }
 }
 
-/// Whether a plane through an edge leaves the faces of A above and those of B below.
+/// The box around the ways of all corners of an obstacle; empty without corners, or where it keeps
+/// out of the step.
+Bounds way_of_obstacle(const StepPaths& paths, std::uint32_t row) {
+  constexpr double far = std::numeric_limits<double>::infinity();
+  Bounds box{Vec3::Constant(far), Vec3::Constant(-far)};
+  const Obstacle& obstacle = paths.obstacles[row];
+  if (obstacle.mass && !paths.members.has_ball(row)) return box;
+  ContactPoint contact{.ball = row};
+  for (contact.corner = 0; contact.corner < corner_count(obstacle.shape); ++contact.corner) {
+    for (const Vec3& x : {start_of_side_a(contact, paths), end_of_side_a(contact, paths)}) {
+      box.low = box.low.cwiseMin(x);
+      box.high = box.high.cwiseMax(x);
+    }
+  }
+  return box;
+}
+
+/// Whether a plane through an edge leaves the faces of A above and those of B below. `normal`: unit.
 bool fits(const MovingEdge& a, const MovingEdge& b, const Vec3& normal) {
-  for (std::uint32_t k = 0; k < a.besides; ++k) {
-    if (normal.dot(a.beside[k] - a.start[0]) < 0) return false;
-  }
-  for (std::uint32_t k = 0; k < b.besides; ++k) {
-    if (normal.dot(b.beside[k] - b.start[0]) > 0) return false;
-  }
-  return true;
+  // Faces that lie on each other are in the plane but for rounding.
+  constexpr double level = 1e-6;
+  const auto is_above = [&](const MovingEdge& edge, const Vec3& up) {
+    for (std::uint32_t k = 0; k < edge.besides; ++k) {
+      const Vec3 beside = edge.beside[k] - edge.start[0];
+      if (up.dot(beside) < -level * beside.norm()) return false;
+    }
+    return true;
+  };
+  return is_above(a, normal) && is_above(b, -normal);
 }
 
 /// Shares at which the lines of two edges are nearest after a part of the step.
@@ -131,12 +148,13 @@ bool is_between(double share) { return share > end_share && share < 1 - end_shar
 
 std::optional<EdgeTouch> touch_of(const MovingEdge& a, const MovingEdge& b, double band) {
   const auto normal_at = [&](double part) { return Vec3(a.along(part).cross(b.along(part))); };
-  Vec3 normal = normal_at(0);
+  const Vec3 normal = normal_at(0);
   const double length = a.along(0).norm() * b.along(0).norm();
-  if (!(normal.norm() > flat * length)) return std::nullopt;
+  if (!(normal.norm() > flat_sine * length)) return std::nullopt;
   double sign = 1;
-  if (!fits(a, b, normal)) {
-    if (!fits(a, b, -normal)) return std::nullopt;
+  const Vec3 unit = normal.normalized();
+  if (!fits(a, b, unit)) {
+    if (!fits(a, b, -unit)) return std::nullopt;
     sign = -1;
   }
   const auto gap_at = [&](double part) {
@@ -178,20 +196,29 @@ std::uint8_t place_of(const SurfaceEdge& edge) {
 void add(DetectScratch& scratch, const StepPaths& paths, const MovingEdge& a, const MovingEdge& b,
          const EdgeTouch& touch, double friction) {
   ContactPoint contact;
-  contact.friction = friction;
-  const SurfaceEdge& own = scratch.surface.edges[a.row];
-  contact.tetrahedron_a = tetrahedron_of(own.face[0]);
-  contact.place_a = place_of(own);
-  contact.weights_a = weights_of(own, touch.share_a, paths);
+  double friction_a = friction, friction_b = friction;
+  if (a.is_obstacle) {
+    contact.ball = a.row;
+    contact.edge_a = a.number;
+    contact.weights_a = {1 - touch.share_a, touch.share_a, 0, 0};
+    friction_a = paths.obstacles[a.row].friction;
+  } else {
+    const SurfaceEdge& own = scratch.surface.edges[a.row];
+    contact.tetrahedron_a = tetrahedron_of(own.face[0]);
+    contact.place_a = place_of(own);
+    contact.weights_a = weights_of(own, touch.share_a, paths);
+  }
   if (b.is_obstacle) {
     contact.obstacle = b.row;
-    contact.friction = 0.5 * (friction + paths.obstacles[b.row].friction);
+    contact.edge_b = b.number;
+    friction_b = paths.obstacles[b.row].friction;
   } else {
     const SurfaceEdge& other = scratch.surface.edges[b.row];
     contact.tetrahedron = tetrahedron_of(other.face[0]);
     contact.place = place_of(other);
     contact.weights = weights_on(contact, weights_of(other, touch.share_b, paths), paths);
   }
+  contact.friction = 0.5 * (friction_a + friction_b);
   contact.normal = touch.normal;
   contact.gap_start = touch.gap_start;
   add_found(scratch, paths, contact, touch.gap_end);
@@ -249,12 +276,6 @@ const std::vector<RowPair>& pairs_of_edges(DetectScratch& scratch, const StepPat
   return near.found;
 }
 
-/// The box around the straight way of an edge.
-Bounds bounds_of(const MovingEdge& e) {
-  return {e.start[0].cwiseMin(e.start[1]).cwiseMin(e.end[0]).cwiseMin(e.end[1]),
-          e.start[0].cwiseMax(e.start[1]).cwiseMax(e.end[0]).cwiseMax(e.end[1])};
-}
-
 /// Row = edge of the surface: the boxes around their ways, widened.
 void box_edges(std::vector<Bounds>& boxes, const std::vector<SurfaceEdge>& edges,
                const StepPaths& paths, double beside) {
@@ -273,7 +294,10 @@ void box_edges(std::vector<Bounds>& boxes, const std::vector<SurfaceEdge>& edges
 
 bool has_obstacle_edges(const StepPaths& paths, const VertexReach& reach) {
   bool any = false;
-  for_each_obstacle_edge(paths, reach, [&](const MovingEdge&) { any = true; });
+  for (std::uint32_t row = 0; row < paths.obstacles.size(); ++row) {
+    for_each_edge_within(paths, row, {reach.low, reach.high},
+                         [&](const MovingEdge&) { any = true; });
+  }
   return any;
 }
 
@@ -287,19 +311,51 @@ void find_between_edges(DetectScratch& scratch, const StepPaths& paths,
   const std::vector<SurfaceEdge>& edges = scratch.surface.edges;
   std::vector<Bounds>& boxes = scratch.edge_boxes;
   box_edges(boxes, edges, paths, 10 * band);
-  for_each_obstacle_edge(paths, reach, [&](const MovingEdge& other) {
-    const Bounds way = bounds_of(other);
-    for (std::uint32_t row = 0; row < edges.size(); ++row) {
-      if (!way.overlaps(boxes[row]) || !is_member(paths, edges[row])) continue;
-      if (is_sharp(paths, edges[row])) meet_edges(moving_edge(paths, edges[row], row), other);
-    }
-  });
+  for (std::uint32_t obstacle = 0; obstacle < paths.obstacles.size(); ++obstacle) {
+    for_each_edge_within(paths, obstacle, {reach.low, reach.high}, [&](const MovingEdge& other) {
+      const Bounds way = bounds_of(other);
+      for (std::uint32_t row = 0; row < edges.size(); ++row) {
+        if (!way.overlaps(boxes[row]) || !is_member(paths, edges[row])) continue;
+        if (is_sharp(paths, edges[row])) meet_edges(moving_edge(paths, edges[row], row), other);
+      }
+    });
+  }
   if (!has_several_pieces(paths, settings)) return;
   for (const auto& [a, b] : pairs_of_edges(scratch, paths, band)) {
     if (!boxes[a].overlaps(boxes[b])) continue;
     if (!is_member(paths, edges[a]) || !is_member(paths, edges[b])) continue;
     if (are_partners(scratch, edges[a], edges[b])) continue;
     meet_edges(moving_edge(paths, edges[a], a), moving_edge(paths, edges[b], b));
+  }
+}
+
+void find_edges_of_obstacles(DetectScratch& scratch, const StepPaths& paths,
+                             const ContactSettings& settings) {
+  const auto rows = static_cast<std::uint32_t>(paths.obstacles.size());
+  const double band = settings.allowed_penetration;
+  std::vector<Bounds> ways;
+  for (std::uint32_t row = 0; row < rows; ++row) {
+    ways.push_back(widened(way_of_obstacle(paths, row), 10 * band));
+  }
+  const auto edges_within = [&](std::uint32_t row, const Bounds& box) {
+    std::vector<MovingEdge> edges;
+    for_each_edge_within(paths, row, box, [&](const MovingEdge& e) { edges.push_back(e); });
+    return edges;
+  };
+  for (std::uint32_t a = 0; a < rows; ++a) {
+    for (std::uint32_t b = a + 1; b < rows; ++b) {
+      if (!paths.obstacles[a].mass && !paths.obstacles[b].mass) continue;
+      if (!ways[a].overlaps(ways[b])) continue;
+      const std::vector<MovingEdge> others = edges_within(b, ways[a]);
+      for (const MovingEdge& one : edges_within(a, ways[b])) {
+        const Bounds box = widened(bounds_of(one), 10 * band);
+        for (const MovingEdge& other : others) {
+          if (!box.overlaps(bounds_of(other))) continue;
+          const std::optional<EdgeTouch> touch = touch_of(one, other, band);
+          if (touch) add(scratch, paths, one, other, *touch, settings.friction);
+        }
+      }
+    }
   }
 }
 

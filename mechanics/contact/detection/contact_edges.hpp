@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Edges against edges: of pieces with each other and with boxes and meshes.
+// Edges against edges: of pieces, boxes and meshes.
 #pragma once
 
 #include "mechanics/contact/detection/contact_detect.hpp"
@@ -15,6 +15,11 @@ namespace sunder {
 /// Needs: `scratch.surface`, `scratch.facing`; `reach`: of all vertices. O(edges + pairs).
 void find_between_edges(DetectScratch& scratch, const StepPaths& paths,
                         const ContactSettings& settings, const VertexReach& reach);
+
+/// Adds the contacts of edges of free boxes and meshes with edges of other boxes and meshes, by the
+/// same rule.
+void find_edges_of_obstacles(DetectScratch& scratch, const StepPaths& paths,
+                             const ContactSettings& settings);
 
 /// Whether an edge of a box or mesh comes within reach of the vertices.
 bool has_obstacle_edges(const StepPaths& paths, const VertexReach& reach);

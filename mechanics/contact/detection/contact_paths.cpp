@@ -94,13 +94,21 @@ TouchedNodes nodes_of_a(const ContactPoint& contact, std::span<const Corners> co
   return nodes;
 }
 
+Vec3 point_of_obstacle(const ContactPoint& contact, const Shape& shape) {
+  if (contact.edge_a != ContactPoint::none) {
+    const auto [from, to] = edge_at(shape, contact.edge_a).end;
+    return contact.weights_a[0] * corner_at(shape, from) +
+           contact.weights_a[1] * corner_at(shape, to);
+  }
+  if (contact.corner != ContactPoint::none) return corner_at(shape, contact.corner);
+  return pose_of(shape).centre;
+}
+
 Vec3 start_of_side_a(const ContactPoint& contact, const StepPaths& paths) {
   if (contact.is_body_a()) {
     return nodes_of_a(contact, paths.corners).sum(paths.state.vertices.position);
   }
-  const Shape& shape = paths.obstacles[contact.ball].shape;
-  return contact.corner == ContactPoint::none ? pose_of(shape).centre
-                                              : corner_at(shape, contact.corner);
+  return point_of_obstacle(contact, paths.obstacles[contact.ball].shape);
 }
 
 Vec3 end_of_side_a(const ContactPoint& contact, const StepPaths& paths) {
@@ -112,11 +120,11 @@ Vec3 end_of_side_a(const ContactPoint& contact, const StepPaths& paths) {
     return start_of_side_a(contact, paths) + paths.time_step * obstacle.velocity;
   }
   const Pose& end = paths.ball_end[contact.ball];
-  if (contact.corner == ContactPoint::none) return end.centre;
-  const Vec3 corner = corner_at(obstacle.shape, contact.corner);
+  if (contact.is_sphere_a()) return end.centre;
+  const Vec3 point = point_of_obstacle(contact, obstacle.shape);
   const Pose start = pose_of(obstacle.shape);
   return end.centre +
-         end.orientation * (start.orientation.conjugate() * (corner - start.centre));
+         end.orientation * (start.orientation.conjugate() * (point - start.centre));
 }
 
 ContactPath path_of(const ContactPoint& contact, const StepPaths& paths) {

@@ -271,9 +271,9 @@ ContactRow row_of(const ContactPoint& contact, const ContactBodies& bodies,
                   pass);
   } else if (pass.obstacles[contact.ball].mass) {
     const Obstacle& ball = pass.obstacles[contact.ball];
-    const Vec3 arm = contact.corner == ContactPoint::none
+    const Vec3 arm = contact.is_sphere_a()
                          ? Vec3(-radius_of(ball.shape) * contact.normal)
-                         : Vec3(corner_at(ball.shape, contact.corner) - centre_of(ball));
+                         : Vec3(point_of_obstacle(contact, ball.shape) - centre_of(ball));
     add_end(row,
             {bodies.body_of_ball[contact.ball], ContactEnd::no_slot, 1, arm, Vec3::Zero(), {}});
   }
@@ -332,8 +332,8 @@ Vec3 place_of_side_a(const ContactPass& pass, const ContactPoint& contact) {
     return nodes_of_a(contact, pass.input.corners).sum(pass.state.vertices.position);
   }
   const Shape& ball = pass.obstacles[contact.ball].shape;
-  if (contact.corner != ContactPoint::none) return corner_at(ball, contact.corner);
-  return pose_of(ball).centre - radius_of(ball) * contact.normal;
+  const Vec3 place = point_of_obstacle(contact, ball);
+  return contact.is_sphere_a() ? Vec3(place - radius_of(ball) * contact.normal) : place;
 }
 
 Vec3 way_of_impulse(const ContactPass& pass, const ContactPoint& contact) {

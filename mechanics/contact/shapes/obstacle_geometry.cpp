@@ -298,6 +298,21 @@ Vec3 corner_at(const Shape& shape, std::uint32_t corner) {
   return solid.translation + solid.orientation * solid.surface->points[corner];
 }
 
+std::size_t edge_count(const Shape& shape) {
+  if (std::holds_alternative<Box>(shape)) return 12;
+  const auto* solid = std::get_if<Solid>(&shape);
+  return solid ? solid->surface->sharp_edges.size() : 0;
+}
+
+SolidSurface::Edge edge_at(const Shape& shape, std::uint32_t edge) {
+  if (const auto* solid = std::get_if<Solid>(&shape)) return solid->surface->sharp_edges[edge];
+  // Four along each axis; the other two axes tell them apart.
+  const std::uint32_t axis = edge / 4, along = 1u << axis;
+  const std::uint32_t next = 1u << (axis + 1) % 3, last = 1u << (axis + 2) % 3;
+  const std::uint32_t from = (edge & 1 ? next : 0) | (edge & 2 ? last : 0);
+  return {{from, from ^ along}, {from ^ next, from ^ last}};
+}
+
 std::span<const std::uint32_t> ring_of(const Solid& solid, std::uint32_t point) {
   const SolidSurface& surface = *solid.surface;
   const std::uint32_t first = surface.ring_first[point];

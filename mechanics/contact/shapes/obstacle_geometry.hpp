@@ -6,6 +6,7 @@
 #include <span>
 
 #include "mechanics/contact/shapes/obstacle.hpp"
+#include "mechanics/contact/shapes/solid_surface.hpp"
 #include "mechanics/state/pose.hpp"
 
 namespace sunder {
@@ -112,6 +113,12 @@ std::size_t corner_count(const Shape& shape);
 
 /// A corner, m; of a box number k has the sign of bit i of k along axis i.
 Vec3 corner_at(const Shape& shape, std::uint32_t corner);
+
+/// Number of edges at which a shape is sharp: 12 of a box, `sharp_edges` of a mesh.
+std::size_t edge_count(const Shape& shape);
+
+/// One of them: its ends, and a corner of each of the two faces beside it.
+SolidSurface::Edge edge_at(const Shape& shape, std::uint32_t edge);
 
 /// Points of a mesh that are joined to one by an edge.
 std::span<const std::uint32_t> ring_of(const Solid& solid, std::uint32_t point);

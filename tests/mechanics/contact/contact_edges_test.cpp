@@ -86,3 +86,64 @@ TEST_CASE("flat seams between faces are no edges", "[mechanics][contact]") {
     CHECK((place - scene.state.components[1].centre).cwiseAbs().head<2>().maxCoeff() > 0.499);
   }
 }
+
+namespace {
+
+/// A scene of obstacles alone: its one body is far away.
+ContactScene scene_of(std::vector<Obstacle> obstacles) {
+  const Body bar = bar_on_edge(0, Vec3(0, 0, 100));
+  ContactScene scene{bar, state_of(together({bar}), material_of(1e10))};
+  scene.state.components[0].rigid = true;
+  scene.obstacles = std::move(obstacles);
+  return scene;
+}
+
+/// Steps to one time at least, s.
+void run_to(ContactScene& scene, double time) {
+  for (double t = 0; t < time; t += scene.integrator.time_step) scene.step_in_parts();
+}
+
+}  // namespace
+
+TEST_CASE("a free box that is turned by half a right angle rests on one of its size",
+          "[mechanics][contact]") {
+  // No corner of either lies in a face of the other.
+  const double step = GENERATE(1e-3, 1.0 / 60);
+  INFO("step " << step);
+  const auto turned = [](double angle) {
+    return Eigen::Quaterniond(Eigen::AngleAxisd(angle, Vec3::UnitZ()));
+  };
+  ContactScene scene = scene_of(
+      {{Box{{0, 0, 0}, turned(0.1), {0.5, 0.5, 0.5}}},
+       {.shape = Box{{0, 0, 1}, turned(0.1 + pi / 4), {0.5, 0.5, 0.5}}, .mass = 2}});
+  scene.loads.gravity = {0, 0, -9.81};
+  scene.integrator.time_step = step;
+  run_to(scene, 0.5);
+  const Obstacle& upper = scene.obstacles[1];
+  CHECK(std::abs(pose_of(upper.shape).centre.z() - 1) < 1e-5);
+  CHECK(upper.velocity.norm() < 1e-6);
+  CHECK(upper.spin.norm() < 1e-6);
+}
+
+TEST_CASE("free bars meet edge to edge, whatever the speed", "[mechanics][contact]") {
+  const double speed = GENERATE(0.5, 5.0, 50.0, 500.0);
+  const double degrees = GENERATE(90.0, 35.0);
+  INFO(speed << " m/s, " << degrees << " degrees");
+  const auto on_edge = [&](double angle) {
+    return Eigen::Quaterniond(Eigen::AngleAxisd(angle, Vec3::UnitZ()) *
+                              Eigen::AngleAxisd(pi / 4, Vec3::UnitX()));
+  };
+  const Vec3 half(0.5, 0.05, 0.05);
+  const double apart = 2 * std::sqrt(0.5) * 0.1;
+  ContactScene scene = scene_of(
+      {{.shape = Box{{0, 0, 0}, on_edge(0), half}, .mass = 1},
+       {.shape = Box{{0, 0, apart + 0.01}, on_edge(degrees * pi / 180), half},
+        .velocity = Vec3(0, 0, -speed), .mass = 1}});
+  scene.integrator.time_step = 1e-3;
+  run_to(scene, 0.05);
+  const auto height = [&](std::size_t row) { return pose_of(scene.obstacles[row].shape).centre.z(); };
+  CHECK(height(1) - height(0) > apart - 1e-5);
+  const Vec3 sum = scene.obstacles[0].velocity + scene.obstacles[1].velocity;
+  CHECK((sum - Vec3(0, 0, -speed)).norm() < 1e-9 * speed);
+  CHECK(scene.obstacles[0].velocity.z() < -0.4 * speed);
+}
