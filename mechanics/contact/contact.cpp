@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "mechanics/contact/contact_step.hpp"
+#include "mechanics/contact/detection/contact_depth.hpp"
 #include "mechanics/contact/detection/contact_overlaps.hpp"
 #include "mechanics/contact/detection/contact_partners.hpp"
 #include "mechanics/contact/response/contact_bounce.hpp"
@@ -52,11 +53,11 @@ void count_contacts(ContactStep& step) {
   report.obstacle_impulse.assign(step.pass.obstacles.size(), Vec3::Zero());
   const StepPaths paths = paths_of(step);
   for (const ContactPoint& contact : step.contacts) {
-    report.deepest = std::max(report.deepest, -gap_end(contact, path_of(contact, paths)));
+    report.deepest = std::max(report.deepest, depth_at_end(contact, paths));
   }
   report.left_out = step.scratch.left_out.size();
   for (const ContactPoint& contact : step.scratch.left_out) {
-    report.deepest = std::max(report.deepest, -gap_end(contact, path_of(contact, paths)));
+    report.deepest = std::max(report.deepest, depth_at_end(contact, paths));
   }
 }
 

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The start of a step, kept in case that the step is not taken.
+#include <algorithm>
+#include <limits>
+
 #include "mechanics/contact/contact_step.hpp"
 #include "mechanics/contact/detection/contact_overlaps.hpp"
+#include "mechanics/contact/detection/solid_pairs.hpp"
+#include "mechanics/contact/shapes/obstacle_geometry.hpp"
 
 namespace sunder {
 
@@ -30,8 +35,42 @@ void put_back(ContactStep& step) {
   if (!is_floating(step.pass.input.settings.integrator)) state.vertices.velocity = start.velocity;
 }
 
+namespace {
+
+/// Row = vertex: a tetrahedron of it, the first.
+std::vector<TetId> tetrahedra_of_vertices(const StepPaths& paths) {
+  std::vector<TetId> first(paths.predicted.size());
+  for (std::size_t t = paths.corners.size(); t-- > 0;) {
+    for (const VertexId v : paths.corners[t]) first[v.index()] = TetId{t};
+  }
+  return first;
+}
+
+/// Whether a gap ends farther from where it may be than `passing_share` of the mean edge of a
+/// tetrahedron, or of the radius of a sphere, that meets there. Then turns within the step go beyond
+/// what the response to impulses is good for.
+bool ends_far_off(const ContactStep& step) {
+  if (step.report.residual <= step.report.tolerated) return false;
+  const StepPaths paths = paths_of(step);
+  const std::vector<TetId> first = tetrahedra_of_vertices(paths);
+  for (std::size_t k = step.tied_rows; k < step.contacts.size(); ++k) {
+    const ContactPoint& c = step.contacts[k];
+    double size = std::numeric_limits<double>::infinity();
+    const TetId of_vertex = c.vertex.is_none() ? TetId::none() : first[c.vertex.index()];
+    for (const TetId t : {of_vertex, c.tetrahedron_a, c.tetrahedron}) {
+      if (!t.is_none()) size = std::min(size, mean_edge(places_of(paths.corners[t.index()], paths)));
+    }
+    if (c.is_sphere_a()) size = std::min(size, radius_of(step.pass.obstacles[c.ball].shape));
+    if (row_error(step.scratch.bodies.rows[k]) > passing_share * size) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
 bool has_passing(ContactStep& step) {
   if (!step.pass.input.part.divides) return false;
+  if (ends_far_off(step)) return true;
   const StepPaths paths = paths_of(step);
   return may_overlap(paths, step.settings) && find_passing(step.scratch.detect, paths);
 }

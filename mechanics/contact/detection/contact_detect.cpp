@@ -21,14 +21,6 @@
 namespace sunder {
 namespace {
 
-/// The obstacle's shape about its own reference: free ones about their mass centre, turned as they
-/// are at the start; the rest as it stands.
-Shape shape_about_reference(const Obstacle& obstacle) {
-  Shape shape = obstacle.shape;
-  if (obstacle.mass) put(shape, {Vec3::Zero(), pose_of(shape).orientation});
-  return shape;
-}
-
 /// Whether a path ends nearer to the plane that it meets than it is long.
 bool is_near(const FirstTouch& touch, const Path& path) {
   return touch.gap_end < (path.end - path.start).norm();
@@ -192,6 +184,12 @@ void find_corners(std::vector<CornerPath>& corners, const StepPaths& paths,
 }
 
 }  // namespace
+
+Shape shape_about_reference(const Obstacle& obstacle) {
+  Shape shape = obstacle.shape;
+  if (obstacle.mass) put(shape, {Vec3::Zero(), pose_of(shape).orientation});
+  return shape;
+}
 
 void add_found(DetectScratch& scratch, const StepPaths& paths, ContactPoint contact,
                double gap_end) {

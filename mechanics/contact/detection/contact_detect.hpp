@@ -45,6 +45,8 @@ struct DetectScratch {
   GridScratch grid;
   PairCache cache;
   std::vector<SpherePair> pairs;
+  /// Share of a tetrahedron's radius within which `pairs` has every vertex, however axes lie.
+  double beside_share = 0.1;
   /// |T|: centres of the tetrahedra at the start and half-way, and their balls at rest, m.
   std::vector<Vec3> centre_start, centre_middle;
   std::vector<double> radius, reach;
@@ -161,6 +163,10 @@ struct ContactPath {
   double size = 0;  ///< m: of the coordinates it is a difference of, for their rounding
 };
 ContactPath path_of(const ContactPoint& contact, const StepPaths& paths);
+
+/// The obstacle's shape where paths against it are (`path_of`): free ones about their mass centre,
+/// turned as they are at the start; the rest as it stands.
+Shape shape_about_reference(const Obstacle& obstacle);
 
 /// Gap at the end of the step in the contact's tangent plane, m.
 inline double gap_end(const ContactPoint& contact, const ContactPath& path) {

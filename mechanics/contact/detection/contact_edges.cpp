@@ -173,6 +173,8 @@ std::optional<EdgeTouch> touch_of(const MovingEdge& a, const MovingEdge& b, doub
   const Vec3 from = a.at(s, 0) - b.at(t, 0), to = a.at(s, 1) - b.at(t, 1);
   touch.gap_start = touch.normal.dot(from);
   touch.gap_end = touch.normal.dot(to);
+  // Boxes find no edges farther apart than this, or only by how they lie to the axes.
+  if (std::min(touch.gap_start, touch.gap_end) > 10 * band) return std::nullopt;
   // Pieces that fall together will press once the lowest is stopped.
   const bool counts = touch.gap_end < (to - from).norm() || touch.gap_end <= 0.01 * band;
   return counts ? std::optional(touch) : std::nullopt;

@@ -81,8 +81,8 @@ void take_spanning_sets(ContactStep& step) {
   }
 }
 
-/// Leaves contacts that begin apart to the next pass, for bodies that rest on something: weight that
-/// their supports will bear lets them dip, for a step, into the next support.
+/// Leaves contacts that begin apart to the next pass, where all bodies in them rest on something:
+/// weight that their supports will bear lets them dip, for a step, into the next support.
 void leave_to_next_pass(ContactStep& step) {
   DetectScratch& found = step.scratch.detect;
   const MechanicsState& state = step.pass.state;
@@ -103,10 +103,8 @@ void leave_to_next_pass(ContactStep& step) {
   }
   std::size_t kept = 0;
   for (std::size_t k = 0; k < found.found.size(); ++k) {
-    bool waits = false;
-    if (found.found[k].gap_start > rim) {
-      for_each_body(found.found[k], [&](std::size_t row) { waits = waits || rests[row]; });
-    }
+    bool waits = found.found[k].gap_start > rim;
+    for_each_body(found.found[k], [&](std::size_t row) { waits = waits && rests[row]; });
     step.has_left = step.has_left || waits;
     if (waits) continue;
     found.found[kept] = found.found[k];

@@ -122,8 +122,13 @@ std::vector<Resting> gather_swept(std::vector<FaceTouch>& touches, const DetectS
     const ComponentId other = paths.state.elements.component[t.index()];
     if (gap <= band) resting.push_back({v, other, gap < 0});
     if (gap < 0) continue;
-    add_touches(touches, scratch, paths, pair, near,
-                [&](HalfFaceId face) { return swept_touch(paths, v, face); });
+    // What boxes on long ways find beyond depends on the axes.
+    const double farthest = scratch.beside_share * scratch.radius[t.index()];
+    add_touches(touches, scratch, paths, pair, near, [&](HalfFaceId face) {
+      std::optional<FaceTouch> touch = swept_touch(paths, v, face);
+      if (touch && std::min(touch->gap_start, touch->gap_end) > farthest) touch.reset();
+      return touch;
+    });
   }
   sort_unique(resting);
   return resting;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "topology/base/sort_unique.hpp"
 
@@ -50,7 +51,7 @@ void pair_up_by_boxes(DetectScratch& scratch, const StepPaths& paths) {
       box.high = box.high.cwiseMax(start).cwiseMax(end);
     }
     // Vertices count as near within rounding and the penetration that is left alone.
-    const Vec3 beside = Vec3::Constant(0.1 * scratch.radius[t]);
+    const Vec3 beside = Vec3::Constant(scratch.beside_share * scratch.radius[t]);
     pairs.boxes.push_back({box.low - beside, box.high + beside});
     pairs.ways.push_back(way);
     pairs.body.push_back(state.elements.component[t].value);
@@ -120,6 +121,7 @@ void pair_up(DetectScratch& scratch, const StepPaths& paths) {
     scratch.reach[t] = is_member ? scratch.radius[t] + 0.5 * motion : 0;
     if (is_member && !(motion < 2 * scratch.radius[t])) is_fast = true;
   }
+  scratch.beside_share = is_fast ? 0.1 : std::numeric_limits<double>::infinity();
   if (is_fast) return pair_up_by_boxes(scratch, paths);
   find_sphere_pairs(scratch.pairs, scratch.grid, scratch.cache,
                     {scratch.point_middle, component, scratch.centre_middle,

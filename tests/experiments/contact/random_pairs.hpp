@@ -3,18 +3,13 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
+
+#include "tests/experiments/contact/random_throws.hpp"
 
 namespace sunder::test {
 
 /// One pair with its judgement.
-struct RandomPair {
-  std::string kinds;     ///< such as "chip on plate"
-  double ratio = 1;      ///< size of the first over that of the second, 1 to 1 000
-  double speed = 0;      ///< m/s
-  double turn = 0;       ///< rad per step, of the one that spins faster
-  double time_step = 0;  ///< s
-  bool is_elastic = false;
+struct RandomPair : ThrowFigures {
   bool met = false;     ///< a contact had an impulse
   bool passed = false;  ///< through each other between two moments, or in and out
   double deepest = 0;   ///< mean edges of the smaller one: overlap at the end of a step

@@ -98,6 +98,32 @@ TEST_CASE("a body that touches in the middle of a step is struck there, in sub-s
   CHECK(touched < share * step + 1.001 * fine);
 }
 
+TEST_CASE("a ball strikes a body at rest when it comes to it, though the step goes on far beyond",
+          "[fracture][impact]") {
+  const double speed = GENERATE(3.0, 30.0, 300.0);
+  INFO(speed << " m/s");
+  Scene scene = on_plane({cube_over_plane(0)});
+  const double radius = 0.05, gap = 0.08;
+  scene.obstacles.push_back({.shape = Sphere{Vec3(0.02, 0.03, 0.3 + radius + gap), radius},
+                             .velocity = {0.1 * speed, 0, -speed},
+                             .mass = 1.3});
+  scene.gravity.acceleration = {0, 0, -9.81};
+  scene.integrator.time_step = 1.0 / 60;
+  Simulation sim = built(std::move(scene));
+  double end = 0, struck = -1;
+  for (int k = 0; k < 3 && struck < 0; ++k) {
+    advance(sim, [&](const Simulation&, const PartReport& part) {
+      end += part.length;
+      if (struck < 0 && part.deformation == Deformation::wave) struck = end - part.length;
+    });
+  }
+  // Weight speeds up the slow ball on its way.
+  const double fall = gap / speed;
+  CHECK(struck > 0.9 * fall);
+  CHECK(struck < 1.001 * fall + sim.state->impact.sub_step);
+  CHECK(pose_of(sim.state->obstacles[1].shape).centre.z() > 0.3 + 0.99 * radius);
+}
+
 TEST_CASE("a window closes when the last wave has come back, and opens for no resting body",
           "[fracture][impact]") {
   const double step = GENERATE(1e-4, 1e-3, 1.0 / 60);

@@ -107,3 +107,33 @@ TEST_CASE("a ball meets one feature of a flat surface, and both sides of a groov
         }) == 2);
   CHECK(std::abs(groove.obstacles[0].velocity.x()) < 1e-3);
 }
+
+TEST_CASE("a ball that slides off the face it met overlaps nothing", "[mechanics][contact]") {
+  // The step ends below the face, far beside the block.
+  ContactScene scene = ball_and_block({{0.45, 0, 0.62}, 0.1}, Vec3(100, 0, -20), {2, 2, 2});
+  scene.integrator.time_step = 0.05;
+  const ContactStepResult result = scene.step();
+  CHECK(result.report.contacts > 0);
+  CHECK(result.report.deepest < 1e-6);
+  const Vec3 local = sphere_of(scene).center - scene.state.components[0].centre;
+  CHECK((local.cwiseAbs() - Vec3::Constant(0.5)).cwiseMax(0).norm() > 0.1);
+}
+
+TEST_CASE("a step in which a squeezed piece would be thrown into its support is divided",
+          "[mechanics][contact]") {
+  // A heavy ball on the corner of a thin plate that lies on a plane.
+  const Body plate = kuhn_block({4, 4, 1}, {0.01, 0.01, 0.0025});
+  ContactScene scene{plate, state_of(together({plate}), material_of(3e10))};
+  scene.obstacles = {{.shape = Sphere{Vec3(0.003, 0.002, 0.0115), 0.0088},
+                      .velocity = {-10, 5, -114},
+                      .mass = 0.02},
+                     {Plane{Vec3::UnitZ(), -0.00125}}};
+  scene.integrator.time_step = 1e-3;
+  double deepest = 0;
+  scene.step_in_parts([&] {
+    for (const Vec3& x : scene.state.vertices.position) {
+      deepest = std::max(deepest, -0.00125 - x.z());
+    }
+  });
+  CHECK(deepest < 0.02 * 0.0025);
+}
