@@ -110,7 +110,7 @@ void add_weight_of_balls(MomentumLedger& ledger, const AdoptedPart& part) {
     const Obstacle& before = part.before.obstacles[k];
     const Vec3 start = pose_of(before.shape).centre;
     const std::vector<char>& touched = part.result.ball_touched;
-    const double old_share = is_struck(touched, k) ? 1 - WaveScheme::theta : 0.5;
+    const double old_share = is_struck(touched, k) ? 0 : 0.5;
     const Vec3 way = is_wave(part) ? Vec3(old_share * h * before.velocity)
                                    : Vec3(moment_of_loads(part, touched, k) *
                                           (pose_of(ball.shape).centre - start));

@@ -57,6 +57,7 @@ struct DetectScratch {
   PieceSurface surface;
   SolidPairs solid_pairs;
   std::vector<Bounds> edge_boxes;  ///< row = edge of the surface: on its way, widened
+  std::vector<Bounds> obstacle_ways;  ///< likewise row = obstacle: of its corners
   NearPairs near_edges;   ///< rows of `PieceSurface::edges`
   NearPairs near_solids;  ///< numbers of tetrahedra
   std::vector<PairAxis> solid_axes;  ///< row = pair of `near_solids`: what decided it last

@@ -335,7 +335,8 @@ void find_edges_of_obstacles(DetectScratch& scratch, const StepPaths& paths,
                              const ContactSettings& settings) {
   const auto rows = static_cast<std::uint32_t>(paths.obstacles.size());
   const double band = settings.allowed_penetration;
-  std::vector<Bounds> ways;
+  std::vector<Bounds>& ways = scratch.obstacle_ways;
+  ways.clear();
   for (std::uint32_t row = 0; row < rows; ++row) {
     ways.push_back(widened(way_of_obstacle(paths, row), 10 * band));
   }

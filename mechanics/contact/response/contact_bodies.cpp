@@ -292,15 +292,12 @@ ContactRow row_of(const ContactPoint& contact, const ContactBodies& bodies,
   return row;
 }
 
-/// m: how far the place where impulses act on a body goes with it in a wave; see `drift_of`.
-Vec3 way_in_wave(const ContactPass& pass, const Vec3& velocity) {
-  return pass.input.settings.time_step * (1 - WaveScheme::theta) * velocity;
-}
-
+/// m: how far the place where impulses act on a component goes with it in a wave; see `drift_of`.
 Vec3 way_in_wave(const ContactPass& pass, ComponentId id) {
   const Component& component = pass.state.components[id.index()];
-  return way_in_wave(pass, component.supported ? component.frame_velocity
-                                               : Vec3(component.momentum / component.mass));
+  const Vec3 velocity = component.supported ? component.frame_velocity
+                                            : Vec3(component.momentum / component.mass);
+  return pass.input.settings.time_step * (1 - WaveScheme::theta) * velocity;
 }
 
 /// The enlisted bodies and their rows.
@@ -339,15 +336,14 @@ Vec3 place_of_side_a(const ContactPass& pass, const ContactPoint& contact) {
 Vec3 way_of_impulse(const ContactPass& pass, const ContactPoint& contact) {
   if (pass.input.part.deformation != Deformation::wave) return Vec3::Zero();
   return contact.is_body_a() ? way_in_wave(pass, component_of_a(contact, pass.state))
-                             : way_in_wave(pass, pass.obstacles[contact.ball].velocity);
+                             : Vec3::Zero();
 }
 
 Vec3 drift_of(const ContactPass& pass, const ContactPoint& contact) {
   if (pass.input.part.deformation != Deformation::wave) return Vec3::Zero();
-  const Vec3 way_of_b =
-      contact.is_body_b()
-          ? way_in_wave(pass, component_of_b(contact, pass.state))
-          : way_in_wave(pass, pass.obstacles[contact.obstacle].velocity);
+  const Vec3 way_of_b = contact.is_body_b()
+                            ? way_in_wave(pass, component_of_b(contact, pass.state))
+                            : Vec3::Zero();
   return way_of_impulse(pass, contact) - way_of_b;
 }
 

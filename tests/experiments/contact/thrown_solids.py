@@ -60,7 +60,8 @@ def scene(chance, folder, breaks):
     material = {"young_modulus": 30e9, "poisson_ratio": 0.2, "density": 2400, "tensile_strength": 3e6}
     place = [chance.uniform(-1.5, 1.5) * cell, chance.uniform(-1.5, 1.5) * cell, layers * cell]
     velocity = [chance.gauss(0, 0.2) * speed, 0, -speed]
-    spin = [chance.gauss(0, 0.3) * speed / radius for _ in range(3)]
+    fastest = 0.3 * speed / radius
+    spin = [chance.gauss(0, 1) * fastest for _ in range(3)]
     bodies = [{"mesh": "block.mesh", "material": material}]
     obstacles = [{"plane": {"normal": [0, 0, 1]}}]
     if chance.random() < 0.5:
@@ -72,6 +73,8 @@ def scene(chance, folder, breaks):
         block(folder / "cube.mesh", (2, 2, 2), (side, side, side), -side / 2)
         place[2] += radius + gap
         axis = [chance.gauss(0, 1) for _ in range(3)]
+        # Bodies that turn faster deform by their spin alone.
+        spin = [s * min(1, 1 / (step * fastest)) for s in spin]
         bodies.append({"mesh": "cube.mesh", "material": material, "translation": place, "velocity": velocity,
                        "spin": spin, "rotation": {"axis": axis, "angle": chance.uniform(0, 360)}})
     duration = min(200 * step, max(3 * step, 4 * gap / speed))
