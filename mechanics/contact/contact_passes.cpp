@@ -16,10 +16,10 @@ double push_out(const ContactStep& step, const ContactPoint& contact) {
   return std::clamp(too_deep, 0.0, step.settings.push_out_speed * step.h());
 }
 
-double row_error(const ContactRow& row) {
+double row_error(const Constraint& row) {
   const double pressed = row.normal.dot(row.impulse);
-  const double gap = row.gap + row.compliance * pressed;
-  return pressed > 0 ? std::max(-gap, gap - row.push) : -gap;
+  const double gap = row.contact().gap + row.compliance * pressed;
+  return pressed > 0 ? std::max(-gap, gap - row.contact().push) : -gap;
 }
 
 void predict_balls(ContactStep& step) {
@@ -51,6 +51,27 @@ Vec3 turn_of_arm(const ContactStep& step, const ContactPoint& contact) {
   return turn * arm - arm;
 }
 
+/// Gap and slip of a contact's row at the predicted end of the step. Gives its error, m.
+double measure_contact(const ContactStep& step, const ContactPoint& contact, Constraint& row,
+                       const StepPaths& paths) {
+  const ContactPath path = path_of(contact, paths);
+  ContactConstraint& law = row.contact();
+  law.gap = predicted_gap_error(step, contact, path);
+  law.push = push_out(step, contact);
+  law.friction = contact.friction;
+  row.compliance = step.settings.compliance / step.h();
+  row.impulse = contact.impulse;
+  row.slip = path.end - path.start + relative_shift(step, contact) + turn_of_arm(step, contact);
+  for (std::uint32_t e = 0; e < row.end_count; ++e) {
+    const std::uint32_t ball = step.scratch.bodies.ball[row.ends[e].body];
+    // Ways of what is no sphere have their turns in them.
+    if (ball == ContactBodies::none || !is_sphere(step.pass.obstacles[ball])) continue;
+    row.slip +=
+        step.h() * row.ends[e].weight * step.pass.obstacles[ball].spin.cross(row.ends[e].arm);
+  }
+  return row_error(row);
+}
+
 /// Gaps and slips of the rows at the predicted end of the step. Gives the largest error among the
 /// contacts: an overlap, or an impulse where there is a gap.
 double measure_rows(ContactStep& step) {
@@ -59,26 +80,11 @@ double measure_rows(ContactStep& step) {
   double worst = 0;
   for (std::size_t k = 0; k < step.contacts.size(); ++k) {
     const ContactPoint& contact = step.contacts[k];
-    ContactRow& row = step.scratch.bodies.rows[k];
-    if (k < step.tied_rows) {
-      worst = std::max(worst, measure_tie(row, step.ties[k], contact.impulse, paths, {}));
-      continue;
-    }
-    const ContactPath path = path_of(contact, paths);
-    row.gap = predicted_gap_error(step, contact, path);
-    row.push = push_out(step, contact);
-    row.compliance = step.settings.compliance / step.h();
-    row.friction = contact.friction;
-    row.impulse = contact.impulse;
-    row.slip = path.end - path.start + relative_shift(step, contact) + turn_of_arm(step, contact);
-    for (std::uint32_t e = 0; e < row.end_count; ++e) {
-      const std::uint32_t ball = step.scratch.bodies.ball[row.ends[e].body];
-      // Ways of what is no sphere have their turns in them.
-      if (ball == ContactBodies::none || !is_sphere(step.pass.obstacles[ball])) continue;
-      row.slip +=
-          step.h() * row.ends[e].weight * step.pass.obstacles[ball].spin.cross(row.ends[e].arm);
-    }
-    worst = std::max(worst, row_error(row));
+    Constraint& row = step.scratch.bodies.rows[k];
+    const double error = k < step.tied_rows
+                             ? measure_tie(row, step.ties[k], contact.impulse, paths, {})
+                             : measure_contact(step, contact, row, paths);
+    worst = std::max(worst, error);
   }
   return worst;
 }
@@ -178,7 +184,7 @@ bool resolve(ContactStep& step) {
     if (k == 0 || step.contacts.size() != before) {
       gather_bodies(step.scratch.bodies, step.contacts, step.pass);
     } else {
-      for (ContactRow& row : step.scratch.bodies.rows) row.guess.setZero();
+      for (Constraint& row : step.scratch.bodies.rows) row.guess.setZero();
     }
     step.report.residual = measure_rows(step);
     // Another pass of a solve that stalled would stall again.

@@ -106,8 +106,9 @@ double target_gap(const ContactPoint& contact);
 /// How much farther out a contact that is too deep should come in the step, m.
 double push_out(const ContactStep& step, const ContactPoint& contact);
 
-/// How far the gap of a row is from where it may be with the impulse as it is; m, m/s in a wave.
-double row_error(const ContactRow& row);
+/// How far the gap of a contact's row is from where it may be with the impulse as it is; m, m/s in
+/// a wave.
+double row_error(const Constraint& row);
 
 /// How much farther apart two sides end than predicted, m, once weight is taken as a blow at the
 /// start for what has not been touched yet.

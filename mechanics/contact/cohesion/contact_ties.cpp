@@ -147,24 +147,26 @@ ContactPoint contact_of(const TiePair& pair) {
   return contact;
 }
 
-double measure_tie(ContactRow& row, const TiePair& pair, const Vec3& impulse,
+double measure_tie(Constraint& row, const TiePair& pair, const Vec3& impulse,
                    const StepPaths& paths, std::span<const Vec3> velocity) {
   const double h = paths.time_step;
   const Vec3 end = opening_at_end(pair, paths);
   row.normal = pair.normal;
-  row.sliding_stiffness = sliding_stiffness(pair.shear);
-  row.tie_most = h * tie_bound(pair, end) * mode_factor(pair, impulse, end);
+  // The response is still that of the solve before.
+  if (!row.is_bond()) row.law = CohesiveBond{};
+  CohesiveBond& bond = row.bond();
+  bond.sliding_stiffness = sliding_stiffness(pair.shear);
+  bond.most = h * tie_bound(pair, end) * mode_factor(pair, impulse, end);
   row.compliance = give_of(pair, h);
   row.impulse = impulse;
-  row.friction = 0;
   row.slip = end;
   if (!velocity.empty()) {
     row.slip =
         velocity[pair.a.index()] - velocity[pair.b.index()] + opening_at_start(pair, paths) / h;
     row.compliance /= h;
   }
-  if (!(row.tie_response > 0)) return row.slip.norm();
-  return (tie_wanted(row, row.slip) - impulse).norm() * row.tie_response;
+  if (!(bond.response > 0)) return row.slip.norm();
+  return (bond_wanted(row, row.slip) - impulse).norm() * bond.response;
 }
 
 TieReport settle_ties(std::span<TiePair> pairs, std::span<const Vec3> impulse,

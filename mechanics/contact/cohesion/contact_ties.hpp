@@ -47,7 +47,7 @@ ContactPoint contact_of(const TiePair& pair);
 /// the law over the openings predicted, so that each solve is convex and the next pass follows the
 /// law. `velocity`: where the row is one of velocities (`Deformation::wave`), predicted, |V|, else
 /// empty. Gives how far the row is from its law, m (m/s).
-double measure_tie(ContactRow& row, const TiePair& pair, const Vec3& impulse,
+double measure_tie(Constraint& row, const TiePair& pair, const Vec3& impulse,
                    const StepPaths& paths, std::span<const Vec3> velocity);
 
 /// After the last pass: corners note how far they have opened. `impulse`: N s, on A, of each pair.

@@ -17,7 +17,7 @@ namespace {
 
 /// The ties of one component at work.
 struct TieProblem {
-  std::span<ContactRow> rows;
+  std::span<Constraint> rows;
   std::span<const TiePair> pairs;
   std::vector<std::size_t> members;  ///< which of them
   const ComponentSystem& system;
@@ -84,8 +84,9 @@ void set_responses(TieProblem& p) {
     return held ? 0 : ties_at[v] / p.state.vertices.mass[v.index()];
   };
   for (const std::size_t k : p.members) {
-    const double shear = std::max(1.0, p.rows[k].sliding_stiffness);
-    p.rows[k].tie_response = shear * (of(p.pairs[k].a) + of(p.pairs[k].b)) + p.rows[k].compliance;
+    CohesiveBond& bond = p.rows[k].bond();
+    const double shear = std::max(1.0, bond.sliding_stiffness);
+    bond.response = shear * (of(p.pairs[k].a) + of(p.pairs[k].b)) + p.rows[k].compliance;
   }
 }
 
@@ -93,7 +94,7 @@ void set_responses(TieProblem& p) {
 void raise_bounds(TieProblem& p) {
   for (const std::size_t k : p.members) {
     p.bearing.push_back(tie_bound(p.pairs[k], Vec3::Zero()));
-    p.rows[k].tie_most =
+    p.rows[k].bond().most =
         p.time_step * p.bearing.back() * mode_factor(p.pairs[k], p.rows[k].impulse, p.ends[k]);
   }
 }
@@ -110,7 +111,7 @@ double lower_bounds(TieProblem& p, std::span<const Vec3> moved) {
       lowered = std::max(lowered, 1 - bearing / p.bearing[i]);
       p.bearing[i] = bearing;
     }
-    p.rows[k].tie_most =
+    p.rows[k].bond().most =
         p.time_step * p.bearing[i] * mode_factor(p.pairs[k], p.rows[k].impulse, end);
   }
   return lowered;
@@ -138,12 +139,13 @@ TieOutcome solve(TieProblem& p, double tolerance, int most) {
     const double next_inertia = 0.5 * (1 + std::sqrt(1 + 4 * inertia * inertia));
     const double share = (inertia - 1) / next_inertia;
     for (std::size_t i = 0; i < n; ++i) {
-      ContactRow& row = p.rows[p.members[i]];
+      Constraint& row = p.rows[p.members[i]];
       row.impulse = ahead[i];
-      const Vec3 next = tie_wanted(row, opening_of(row, moved[i]));
-      const double off = p.time_step * row.tie_response * (next - ahead[i]).norm();
+      const double response = row.bond().response;
+      const Vec3 next = bond_wanted(row, opening_of(row, moved[i]));
+      const double off = p.time_step * response * (next - ahead[i]).norm();
       outcome.residual = std::max(outcome.residual, off / opening_end_of(p.pairs[p.members[i]]));
-      turn_back += row.tie_response * (ahead[i] - next).dot(next - now[i]);
+      turn_back += response * (ahead[i] - next).dot(next - now[i]);
       ahead[i] = next + share * (next - now[i]);
       now[i] = next;
     }
@@ -166,7 +168,7 @@ TieOutcome solve(TieProblem& p, double tolerance, int most) {
 
 }  // namespace
 
-TieOutcome solve_ties(std::span<ContactRow> rows, std::span<const TiePair> pairs,
+TieOutcome solve_ties(std::span<Constraint> rows, std::span<const TiePair> pairs,
                       std::span<const Vec3> ends, const ContactPass& pass, double tolerance,
                       int most) {
   std::map<ComponentId, std::vector<std::size_t>> by_component;

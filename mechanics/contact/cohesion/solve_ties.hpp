@@ -25,7 +25,7 @@ struct TieOutcome {
 /// place, so the body's rigid motion stays. Ends at `tolerance`, a share of openings, or after
 /// `most` back-solves, four times as many where ties are still far off. Needs: factors of the part
 /// (`prepare`).
-TieOutcome solve_ties(std::span<ContactRow> rows, std::span<const TiePair> pairs,
+TieOutcome solve_ties(std::span<Constraint> rows, std::span<const TiePair> pairs,
                       std::span<const Vec3> ends, const ContactPass& pass, double tolerance,
                       int most);
 

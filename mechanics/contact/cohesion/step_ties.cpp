@@ -22,8 +22,8 @@ void strike_pair(ContactStep& step, const TiePair& pair, const Vec3& change) {
 }
 
 /// The rows of all ties for the step as it is predicted.
-std::vector<ContactRow> measured(ContactStep& step) {
-  std::vector<ContactRow> rows(step.ties.size());
+std::vector<Constraint> measured(ContactStep& step) {
+  std::vector<Constraint> rows(step.ties.size());
   const StepPaths paths = paths_of(step);
   for (std::size_t k = 0; k < rows.size(); ++k) {
     measure_tie(rows[k], step.ties[k], step.tied[k].impulse, paths,
@@ -33,7 +33,7 @@ std::vector<ContactRow> measured(ContactStep& step) {
 }
 
 /// Takes impulses in place of those that the ties have, and predicts that.
-void take_impulses(ContactStep& step, std::span<const ContactRow> rows) {
+void take_impulses(ContactStep& step, std::span<const Constraint> rows) {
   for (std::size_t k = 0; k < rows.size(); ++k) {
     strike_pair(step, step.ties[k], rows[k].impulse - step.tied[k].impulse);
     step.tied[k].impulse = rows[k].impulse;
@@ -62,7 +62,7 @@ void begin_ties(ContactStep& step) {
 void hold_ties(ContactStep& step, bool is_first) {
   if (step.ties.empty() || !step.is_wave()) return;
   const int most = is_first ? 100 : 20;
-  std::vector<ContactRow> rows = measured(step);
+  std::vector<Constraint> rows = measured(step);
   std::vector<Vec3> ends;
   const StepPaths paths = paths_of(step);
   for (const TiePair& pair : step.ties) ends.push_back(opening_at_end(pair, paths));

@@ -104,12 +104,12 @@ void apply_changes(StepBlows& blows, const ContactBodies& bodies, std::span<cons
   SUNDER_ASSERT(change.size() == bodies.rows.size(), "one change a row");
   for (std::size_t k = 0; k < change.size(); ++k) {
     if (change[k].isZero(0)) continue;
-    const ContactRow& row = bodies.rows[k];
+    const Constraint& row = bodies.rows[k];
     for (std::uint32_t e = 0; e < row.end_count; ++e) touch(blows, bodies, row.ends[e].body, pass);
   }
   for (std::size_t k = 0; k < change.size(); ++k) {
     if (change[k].isZero(0)) continue;
-    const ContactRow& row = bodies.rows[k];
+    const Constraint& row = bodies.rows[k];
     for (std::uint32_t e = 0; e < row.end_count; ++e) {
       const ContactEnd& end = row.ends[e];
       const Vec3 impulse = end.weight * change[k];

@@ -216,7 +216,7 @@ void enlist_all(ContactBodies& bodies, std::span<const ContactPoint> contacts,
   }
 }
 
-void add_end(ContactRow& row, const ContactEnd& end) { row.ends[row.end_count++] = end; }
+void add_end(Constraint& row, const ContactEnd& end) { row.ends[row.end_count++] = end; }
 
 ContactEnd vertex_end(const ContactBodies& bodies, const ContactPass& pass, VertexId v,
                       double weight) {
@@ -237,7 +237,7 @@ ContactEnd vertex_end(const ContactBodies& bodies, const ContactPass& pass, Vert
 /// Nodes of a component by their shares; `sign`: 1 on side A, -1 on side B. All have the arm of
 /// `place`, where side A is: both sides then feel the same line of action, and angular momentum is
 /// conserved exactly. What the nodes' own moment falls short of that is rigid and deforms nothing.
-void add_node_ends(ContactRow& row, const TouchedNodes& nodes, ComponentId id, double sign,
+void add_node_ends(Constraint& row, const TouchedNodes& nodes, ComponentId id, double sign,
                    const Vec3& place, const ContactBodies& bodies, const ContactPass& pass) {
   const Component& component = pass.state.components[id.index()];
   const Vec3 arm = place - component.centre;
@@ -258,9 +258,9 @@ void add_node_ends(ContactRow& row, const TouchedNodes& nodes, ComponentId id, d
 }
 
 /// The points that a row acts on. Its gap, slip and bounds are the caller's.
-ContactRow row_of(const ContactPoint& contact, const ContactBodies& bodies,
+Constraint row_of(const ContactPoint& contact, const ContactBodies& bodies,
                   const ContactPass& pass) {
-  ContactRow row;
+  Constraint row;
   row.normal = contact.normal;
   row.impulse = contact.impulse;
   if (!contact.vertex.is_none()) {
@@ -367,7 +367,7 @@ void gather_lumped_bodies(ContactBodies& bodies, std::span<const ContactPoint> c
   gather(bodies, contacts, pass, lumped_component);
   // Vertices respond each by itself, and the body turns by what their places leave over: the turn
   // by all of the moment less the turn by that of the vertices.
-  for (ContactRow& row : bodies.rows) {
+  for (Constraint& row : bodies.rows) {
     for (std::uint32_t e = 0; e < row.end_count; ++e) {
       ContactEnd& end = row.ends[e];
       if (!end.vertex.is_none()) end.rest_arm = end.arm - end.lever;

@@ -20,7 +20,7 @@ struct ContactBodies {
   std::vector<std::uint32_t> body_of_component;  ///< row = ComponentId
   std::vector<std::uint32_t> body_of_ball;       ///< row = obstacle
   std::vector<std::uint32_t> slot_of_vertex;     ///< row = VertexId; valid for slots only
-  std::vector<ContactRow> rows;                  ///< one a contact
+  std::vector<Constraint> rows;                  ///< one a contact
 };
 
 /// What touched bodies have got so far in this step.

@@ -66,7 +66,7 @@ Vec3 coming_velocity(const Bounce& bounce, const ContactEnd& end) {
 }
 
 /// Normal acceleration that a vertex remembers becomes the velocity it stands for.
-void spend_acceleration(const Bounce& bounce, const ContactRow& row) {
+void spend_acceleration(const Bounce& bounce, const Constraint& row) {
   VertexColumns& vertices = bounce.pass.state.vertices;
   for (std::uint32_t e = 0; e < row.end_count; ++e) {
     const ContactEnd& end = row.ends[e];
@@ -119,7 +119,7 @@ void settle_rates(MechanicsState& state, const Component& component) {
 double set_rows(const Bounce& bounce, std::span<const ContactPoint> contacts) {
   double fastest = 0;
   for (std::size_t k = 0; k < contacts.size(); ++k) {
-    ContactRow& row = bounce.bodies.rows[k];
+    Constraint& row = bounce.bodies.rows[k];
     Vec3 parting = Vec3::Zero();
     for (std::uint32_t e = 0; e < row.end_count; ++e) {
       parting += row.ends[e].weight * coming_velocity(bounce, row.ends[e]);
@@ -130,11 +130,12 @@ double set_rows(const Bounce& bounce, std::span<const ContactPoint> contacts) {
       return is_driven ? bounce.pass.obstacles[obstacle].velocity : Vec3::Zero();
     };
     parting += driven(contacts[k].ball) - driven(contacts[k].obstacle);
-    row.gap = row.normal.dot(parting);
-    row.least = -std::max(0.0, row.normal.dot(contacts[k].impulse));
-    row.most = 0;
+    ContactConstraint& law = row.contact();
+    law.gap = row.normal.dot(parting);
+    law.least = -std::max(0.0, row.normal.dot(contacts[k].impulse));
+    law.most = 0;
     row.impulse.setZero();
-    if (row.least < 0) fastest = std::max(fastest, row.gap);
+    if (law.least < 0) fastest = std::max(fastest, law.gap);
   }
   return fastest;
 }
@@ -151,7 +152,7 @@ void take_back_bounce(std::span<ContactPoint> contacts, ContactBodies& bodies,
   // With a unit step, displacements are velocities.
   solve_contacts(bodies.rows, bodies.bodies,
                  {1, settings.tolerance * fastest, settings.max_iterations, pass.input.hurry});
-  for (const ContactRow& row : bodies.rows) {
+  for (const Constraint& row : bodies.rows) {
     if (!row.impulse.isZero(0)) spend_acceleration(bounce, row);
   }
   for (const ComponentId id : bodies.component) {
@@ -163,7 +164,7 @@ void take_back_bounce(std::span<ContactPoint> contacts, ContactBodies& bodies,
   std::vector<Vec3> twist(bodies.bodies.size(), Vec3::Zero());
   std::vector<Vec3> push(bodies.bodies.size(), Vec3::Zero());
   for (std::size_t k = 0; k < contacts.size(); ++k) {
-    const ContactRow& row = bodies.rows[k];
+    const Constraint& row = bodies.rows[k];
     contacts[k].impulse += row.impulse;
     for (std::uint32_t e = 0; e < row.end_count; ++e) {
       const Vec3 impulse = row.ends[e].weight * row.impulse;

@@ -53,7 +53,7 @@ Vec3 velocity_end(const ContactStep& step, const ContactPoint& contact) {
 }
 
 /// Velocity that spinning balls add to a row at its contact point, m/s.
-Vec3 spin_slip(const ContactStep& step, const ContactRow& row) {
+Vec3 spin_slip(const ContactStep& step, const Constraint& row) {
   Vec3 slip = Vec3::Zero();
   for (std::uint32_t e = 0; e < row.end_count; ++e) {
     const std::uint32_t ball = step.scratch.bodies.ball[row.ends[e].body];
@@ -99,11 +99,12 @@ double measure_wave_rows(ContactStep& step) {
   double worst = 0;
   for (std::size_t k = 0; k < step.contacts.size(); ++k) {
     const ContactPoint& contact = step.contacts[k];
-    ContactRow& row = step.scratch.bodies.rows[k];
-    row.gap = wave_gap_error(step, contact) / h;
-    row.push = push_out(step, contact) / h;
+    Constraint& row = step.scratch.bodies.rows[k];
+    ContactConstraint& law = row.contact();
+    law.gap = wave_gap_error(step, contact) / h;
+    law.push = push_out(step, contact) / h;
+    law.friction = contact.friction;
     row.compliance = step.settings.compliance / (h * h);
-    row.friction = contact.friction;
     row.impulse = contact.impulse;
     row.slip = velocity_end(step, contact) + spin_slip(step, row);
     worst = std::max(worst, h * row_error(row));
@@ -114,7 +115,7 @@ double measure_wave_rows(ContactStep& step) {
 void apply_wave_changes(ContactStep& step) {
   for (std::size_t k = 0; k < step.contacts.size(); ++k) {
     if (step.scratch.change[k].isZero(0)) continue;
-    const ContactRow& row = step.scratch.bodies.rows[k];
+    const Constraint& row = step.scratch.bodies.rows[k];
     for (std::uint32_t e = 0; e < row.end_count; ++e) {
       strike_end(step, row.ends[e], row.ends[e].weight * step.scratch.change[k]);
     }

@@ -4,8 +4,6 @@
 
 #include <algorithm>
 
-#include "mechanics/frame/rotation.hpp"
-
 namespace sunder {
 namespace {
 
@@ -22,7 +20,7 @@ struct MergedSlot {
   }
 };
 
-RowSide& side_of(ContactRow& row, std::uint32_t body) {
+RowSide& side_of(Constraint& row, std::uint32_t body) {
   for (std::uint32_t s = 0; s < row.side_count; ++s) {
     if (row.sides[s].body == body) return row.sides[s];
   }
@@ -37,7 +35,7 @@ std::uint32_t place_of(std::vector<MergedSlot>& merged, const MergedSlot& slot) 
   return static_cast<std::uint32_t>(merged.size() - 1);
 }
 
-void merge_slots(ContactRow& row, RowSide& side, std::vector<MergedSlot>& merged) {
+void merge_slots(Constraint& row, RowSide& side, std::vector<MergedSlot>& merged) {
   MergedSlot slot;
   for (std::uint32_t e = 0; e < row.end_count; ++e) {
     const ContactEnd& end = row.ends[e];
@@ -118,9 +116,9 @@ Vec3 give_side(const RowSide& side, RespondingBody& body, const Vec3& impulse) {
 
 }  // namespace
 
-void merge_ends(std::span<ContactRow> rows, std::span<RespondingBody> bodies) {
+void merge_ends(std::span<Constraint> rows, std::span<RespondingBody> bodies) {
   std::vector<std::vector<MergedSlot>> merged(bodies.size());
-  for (ContactRow& row : rows) {
+  for (Constraint& row : rows) {
     row.side_count = 0;
     for (std::uint32_t e = 0; e < row.end_count; ++e) {
       const ContactEnd& end = row.ends[e];
@@ -139,7 +137,7 @@ void merge_ends(std::span<ContactRow> rows, std::span<RespondingBody> bodies) {
   }
 }
 
-Vec3 relative_displacement(const ContactRow& row, std::span<const RespondingBody> bodies,
+Vec3 relative_displacement(const Constraint& row, std::span<const RespondingBody> bodies,
                            double step) {
   Vec3 sum = Vec3::Zero();
   for (std::uint32_t s = 0; s < row.side_count; ++s) {
@@ -148,7 +146,7 @@ Vec3 relative_displacement(const ContactRow& row, std::span<const RespondingBody
   return sum;
 }
 
-void add_impulse(const ContactRow& row, std::span<RespondingBody> bodies, const Vec3& impulse) {
+void add_impulse(const Constraint& row, std::span<RespondingBody> bodies, const Vec3& impulse) {
   for (std::uint32_t s = 0; s < row.side_count; ++s) {
     const RowSide& side = row.sides[s];
     RespondingBody& body = bodies[side.body];
@@ -158,7 +156,7 @@ void add_impulse(const ContactRow& row, std::span<RespondingBody> bodies, const 
   }
 }
 
-void add_impulses(std::span<const ContactRow> rows, std::span<RespondingBody> bodies,
+void add_impulses(std::span<const Constraint> rows, std::span<RespondingBody> bodies,
                   std::span<const Vec3> impulses) {
   std::vector<Eigen::VectorXd> own(bodies.size());
   for (std::size_t k = 0; k < rows.size(); ++k) {
@@ -177,25 +175,6 @@ void add_impulses(std::span<const ContactRow> rows, std::span<RespondingBody> bo
     bodies[b].motion.displacement.noalias() +=
         bodies[b].elastic.selfadjointView<Eigen::Lower>() * own[b];
   }
-}
-
-void set_own_response(ContactRow& row, std::span<const RespondingBody> bodies, double step) {
-  row.response.setZero();
-  row.give.setZero();
-  for (std::uint32_t s = 0; s < row.side_count; ++s) {
-    const RowSide& side = row.sides[s];
-    const RespondingBody& body = bodies[side.body];
-    const Mat3 arm = cross_matrix(side.arm);
-    row.response -= step * arm * body.inverse_inertia * arm;
-    row.response.diagonal().array() += step * side.weight * side.weight * body.inverse_mass;
-    if (side.slot == ContactEnd::no_slot) continue;
-    const Mat3 rest_arm = cross_matrix(side.rest_arm);
-    Mat3 elastic = body.elastic.block<3, 3>(3 * side.slot, 3 * side.slot) +
-                   rest_arm * body.rigid_inertia * rest_arm;
-    elastic.diagonal().array() -= side.weight * side.weight * body.rigid_mass;
-    row.give += body.turn * elastic * body.turn.transpose();
-  }
-  row.response += row.give;
 }
 
 void set_to_rest(std::span<RespondingBody> bodies) {

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <variant>
 #include <vector>
 
 #include "mechanics/state/columns.hpp"
@@ -63,60 +64,65 @@ struct RowSide {
   Vec3 rest_arm = Vec3::Zero();              ///< m
 };
 
-/// One row of three unknowns.
-struct ContactRow {
-  /// Of at most four corners of a tetrahedron on side A, and six nodes of a face of second order on
-  /// side B.
+/// The law of a row that keeps two sides from overlapping: pressure within bounds, and friction.
+struct ContactConstraint {
+  double gap = 0;   ///< m: gap at the end of the step with the impulse as it is, less its target
+  double push = 0;  ///< m, >= 0: how much more the gap should be, if that takes little impulse
+  double friction = 0;  ///< no unit: Coulomb's coefficient
+  double least = 0;     ///< N s: lower bound of the normal impulse
+  double most = std::numeric_limits<double>::infinity();  ///< N s: upper bound
+  /// N s: radius of the friction's disk. Each solve of a row begins with the radius that the last
+  /// one ended with.
+  double disk = 0;
+};
+
+/// The law of a row that holds two sides of a crack together: a tie as the solver sees it
+/// (tie_row.hpp). The row's `slip` is then the whole opening, and its `compliance` the secant's.
+struct CohesiveBond {
+  double most = 0;               ///< N s: the effective pull that the bond bears (`bond_kept`)
+  double sliding_stiffness = 1;  ///< no unit: across over along the normal (tie_law.hpp)
+  /// m/(N s): `bond_response`, or a bound of it (solve_ties.cpp). A solve sets it, and measures of
+  /// the row until the next solve need it (`measure_tie`).
+  double response = 0;
+};
+
+/// One row of three unknowns: the impulse between two sides, by the law of the row.
+struct Constraint {
+  /// Side A has at most four corners of a tetrahedron, side B six nodes of a face of second order.
   std::array<ContactEnd, 10> ends;
   std::uint32_t end_count = 0;
   std::array<RowSide, 2> sides;  ///< of different bodies
   std::uint32_t side_count = 0;
   Vec3 normal{0, 0, 1};
-  double gap = 0;      ///< m: end-of-step gap with the impulse as it is, less what it may be
-  double push = 0;     ///< m, >= 0: how much more it should be, if that takes little impulse
-  Vec3 slip{0, 0, 0};  ///< m: relative displacement over the step with the impulse as it is
-  double friction = 0;
-  double compliance = 0;  ///< m/(N s): give of the contact itself, of a tie that of its secant
-  /// N s: what a tie bears (`tie_kept`); negative: a contact, which pulls nothing. Of a tie `slip`
-  /// is all of its opening, and gap, push, friction and the bounds below mean nothing.
-  double tie_most = -1;
-  double sliding_stiffness = 1;  ///< of a tie, over that along the normal (tie_law.hpp)
-  double least = 0;       ///< N s: bounds of the normal impulse
-  double most = std::numeric_limits<double>::infinity();
+  Vec3 slip{0, 0, 0};     ///< m: relative displacement over the step with the impulse as it is
+  double compliance = 0;  ///< m/(N s): give of the row itself, beside that of its bodies
   Vec3 impulse{0, 0, 0};  ///< N s; in: what it is, out: what it should be
   Vec3 guess{0, 0, 0};    ///< N s: a change to begin with, say what the last step needed
+  std::variant<ContactConstraint, CohesiveBond> law;
 
-  // Filled by `solve_contacts`, m/(N s):
-  Mat3 response = Mat3::Zero();    ///< own 3 x 3 block
-  Mat3 give = Mat3::Zero();        ///< of that, what is elastic
-  double normal_response = 0;      ///< along the normal, compliance included
-  double push_most = 0;            ///< N s: with that pressed, nothing pushes any more
-  double tangential_response = 0;  ///< the larger one in the contact plane
-  double disk = 0;                 ///< N s: what friction may be in the sweeps at hand
-  double disk_change = 0;          ///< N s: by which it should have changed last
-  double disk_share = 1;           ///< how much of such a change is made
-  double tie_response = 0;         ///< of ties: `tie_response_of`
-
-  bool is_tie() const { return tie_most >= 0; }
+  bool is_bond() const { return std::holds_alternative<CohesiveBond>(law); }
+  /// Needs: `is_bond` is false.
+  ContactConstraint& contact() { return *std::get_if<ContactConstraint>(&law); }
+  const ContactConstraint& contact() const { return *std::get_if<ContactConstraint>(&law); }
+  /// Needs: `is_bond` is true.
+  CohesiveBond& bond() { return *std::get_if<CohesiveBond>(&law); }
+  const CohesiveBond& bond() const { return *std::get_if<CohesiveBond>(&law); }
 };
 
 /// Sums up the ends of each row by body, and each body's E, given between its vertices, becomes
 /// that between the sides of its rows, one slot for all that have the same ends. Exact.
-void merge_ends(std::span<ContactRow> rows, std::span<RespondingBody> bodies);
+void merge_ends(std::span<Constraint> rows, std::span<RespondingBody> bodies);
 
 /// Displacement of side A against side B by what the bodies have got, m.
-Vec3 relative_displacement(const ContactRow& row, std::span<const RespondingBody> bodies,
+Vec3 relative_displacement(const Constraint& row, std::span<const RespondingBody> bodies,
                            double step);
 
 /// Adds an impulse of a row to what its bodies have got. O(slots of the bodies).
-void add_impulse(const ContactRow& row, std::span<RespondingBody> bodies, const Vec3& impulse);
+void add_impulse(const Constraint& row, std::span<RespondingBody> bodies, const Vec3& impulse);
 
 /// Adds one impulse a row at once: one product with each E. O(slots^2 of each body).
-void add_impulses(std::span<const ContactRow> rows, std::span<RespondingBody> bodies,
+void add_impulses(std::span<const Constraint> rows, std::span<RespondingBody> bodies,
                   std::span<const Vec3> impulses);
-
-/// The row's own 3 x 3 response: `response`, and the elastic part of it, `give`.
-void set_own_response(ContactRow& row, std::span<const RespondingBody> bodies, double step);
 
 /// Nothing got yet.
 void set_to_rest(std::span<RespondingBody> bodies);

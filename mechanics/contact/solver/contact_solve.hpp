@@ -36,7 +36,7 @@ struct SolveOutcome {
 /// give together, and over 16 times what those without friction do. Those of a wedge grow so
 /// without end. `bodies` accumulate the changes made by what was added to the impulses. A row that
 /// can move nothing keeps its impulse. O(rows x slots) a sweep.
-SolveOutcome solve_contacts(std::span<ContactRow> rows, std::span<RespondingBody> bodies,
+SolveOutcome solve_contacts(std::span<Constraint> rows, std::span<RespondingBody> bodies,
                             const SolveLimits& limits);
 
 }  // namespace sunder

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "mechanics/contact/solver/body_factor.hpp"
+#include "mechanics/contact/solver/contact_law.hpp"
 #include "mechanics/contact/solver/tie_row.hpp"
 #include "mechanics/frame/rotation.hpp"
 
@@ -22,7 +23,8 @@ struct Free {
 };
 
 struct Subspace {
-  std::span<ContactRow> rows;
+  std::span<Constraint> rows;
+  std::span<const RowResponse> responses;
   std::span<RespondingBody> bodies;
   double step;
   std::vector<Free> free;
@@ -44,24 +46,10 @@ double dot(const Impulses& a, const Impulses& b) {
   return sum;
 }
 
-/// m/(N s): of the contact itself, and of a push at work (`ContactRow::push`).
-double give_of(const ContactRow& row) {
-  const bool pushes = row.push > 0 && row.normal.dot(row.impulse) < row.push_most;
-  return row.compliance + (pushes ? row.push / row.push_most : 0);
-}
-
 /// m: by how much a row gives way to an impulse.
-Vec3 given_way(const ContactRow& row, const Vec3& impulse) {
-  if (row.is_tie()) return tie_give(row) * impulse;
-  return give_of(row) * row.normal.dot(impulse) * row.normal;
-}
-
-/// Bounds of the normal impulse, so that a push at work stays one, and what presses more does.
-std::array<double, 2> bounds_of(const ContactRow& row) {
-  if (!(row.push > 0)) return {row.least, row.most};
-  return row.normal.dot(row.impulse) < row.push_most
-             ? std::array{row.least, std::min(row.most, row.push_most)}
-             : std::array{std::max(row.least, row.push_most), row.most};
+Vec3 given_way(const Constraint& row, const RowResponse& response, const Vec3& impulse) {
+  if (row.is_bond()) return bond_give(row) * impulse;
+  return contact_give(row, response) * row.normal.dot(impulse) * row.normal;
 }
 
 /// Which parts of a row's impulse are free.
@@ -69,21 +57,29 @@ struct Parts {
   bool normal = false, friction = false;
 };
 
-/// Friction is free inside its disk, where a row slips not even along the rim: the next sweep turns
-/// it. The normal part is free off its bounds.
-Parts free_parts(const ContactRow& row, double rounding) {
-  if (row.is_tie()) {
-    const bool is_free = row.tie_response > 0 && tie_is_free(row);
-    return {is_free, is_free};
-  }
+/// Friction is free inside its disk. Along the rim a contact slips, and the next sweep turns its
+/// friction. The normal part is free off its bounds.
+Parts parts_of_contact(const Constraint& row, const RowResponse& response, double rounding) {
+  const ContactConstraint& contact = row.contact();
   const double pressed = row.normal.dot(row.impulse);
-  const bool presses = pressed > row.least + rounding && pressed < row.most - rounding;
+  const bool presses = pressed > contact.least + rounding && pressed < contact.most - rounding;
   const double friction = (row.impulse - pressed * row.normal).norm();
-  return {row.normal_response > 0 && presses,
-          row.tangential_response > 0 && row.disk > rounding && friction < (1 - 1e-9) * row.disk};
+  const bool sticks = response.tangential_response > 0 && response.disk > rounding &&
+                      friction < (1 - 1e-9) * response.disk;
+  return {response.normal_response > 0 && presses, sticks};
 }
 
-Free free_of(const ContactRow& row, const Parts& parts) {
+/// A bond is free as a whole, short of its bound.
+Parts parts_of_bond(const Constraint& row) {
+  const bool is_free = row.bond().response > 0 && bond_is_free(row);
+  return {is_free, is_free};
+}
+
+Parts free_parts(const Constraint& row, const RowResponse& response, double rounding) {
+  return row.is_bond() ? parts_of_bond(row) : parts_of_contact(row, response, rounding);
+}
+
+Free free_of(const Constraint& row, const RowResponse& response, const Parts& parts) {
   Free free;
   const Vec3& n = row.normal;
   free.basis.resize(3, (parts.normal ? 1 : 0) + (parts.friction ? 2 : 0));
@@ -94,9 +90,9 @@ Free free_of(const ContactRow& row, const Parts& parts) {
   }
   if (free.basis.cols() == 0) return free;
   // Contacts of rigid bodies give a little for the preconditioner's sake.
-  Mat3 give = row.give;
-  give += row.is_tie() ? tie_give(row) : Mat3(give_of(row) * n * n.transpose());
-  give.diagonal().array() += 1e-4 * row.response.trace();
+  Mat3 give = response.give;
+  give += row.is_bond() ? bond_give(row) : Mat3(contact_give(row, response) * n * n.transpose());
+  give.diagonal().array() += 1e-4 * response.response.trace();
   const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 3, 3> on_basis =
       free.basis.transpose() * give * free.basis;
   free.inverse = free.basis * on_basis.inverse() * free.basis.transpose();
@@ -137,7 +133,7 @@ bool factor_bodies(Subspace& s) {
   }
   for (std::size_t k = 0; k < s.rows.size(); ++k) {
     if (!is_free(s.free[k])) continue;
-    const ContactRow& row = s.rows[k];
+    const Constraint& row = s.rows[k];
     for (std::uint32_t a = 0; a < row.side_count; ++a) {
       if (!is_rigid_side(row.sides[a], s)) continue;
       const std::uint32_t at = s.place[row.sides[a].body];
@@ -196,28 +192,39 @@ Impulses response_to(Subspace& s, const Impulses& impulses) {
   Impulses moved(impulses.size(), Vec3::Zero());
   for (std::size_t k = 0; k < moved.size(); ++k) {
     if (!is_free(s.free[k])) continue;
-    const ContactRow& row = s.rows[k];
-    moved[k] = relative_displacement(row, s.bodies, s.step) + given_way(row, impulses[k]);
+    const Constraint& row = s.rows[k];
+    moved[k] =
+        relative_displacement(row, s.bodies, s.step) + given_way(row, s.responses[k], impulses[k]);
   }
   swap_motions();
   return moved;
 }
 
-/// Gradient of the energy: gap along the normal, slip across.
+/// Gradient of the energy by the impulse of a contact whose sides have `moved` (m): gap along the
+/// normal, slip across.
+Vec3 gradient_of_contact(const Constraint& row, const RowResponse& response, const Vec3& moved) {
+  const Vec3& n = row.normal;
+  const double pressed = n.dot(row.impulse);
+  const double push = contact_pushes(row, response) ? row.contact().push : 0;
+  const double gap =
+      row.contact().gap - push + n.dot(moved) + contact_give(row, response) * pressed;
+  const Vec3 total = row.slip + moved;
+  return gap * n + total - n * n.dot(total);
+}
+
+/// The same by the impulse of a bond: its opening, and its own give.
+Vec3 gradient_of_bond(const Constraint& row, const Vec3& moved) {
+  return opening_of(row, moved) + bond_give(row) * row.impulse;
+}
+
+/// Gradient of the energy, m.
 Impulses gradient_of(const Subspace& s) {
   Impulses gradient;
-  for (const ContactRow& row : s.rows) {
-    const Vec3& n = row.normal;
+  for (std::size_t k = 0; k < s.rows.size(); ++k) {
+    const Constraint& row = s.rows[k];
     const Vec3 moved = relative_displacement(row, s.bodies, s.step);
-    if (row.is_tie()) {
-      gradient.push_back(opening_of(row, moved) + given_way(row, row.impulse));
-      continue;
-    }
-    const double pressed = n.dot(row.impulse);
-    const double push = row.push > 0 && pressed < row.push_most ? row.push : 0;
-    const double gap = row.gap - push + n.dot(moved) + give_of(row) * pressed;
-    const Vec3 total = row.slip + moved;
-    gradient.push_back(gap * n + total - n * n.dot(total));
+    gradient.push_back(row.is_bond() ? gradient_of_bond(row, moved)
+                                     : gradient_of_contact(row, s.responses[k], moved));
   }
   return gradient;
 }
@@ -252,42 +259,29 @@ Impulses least_energy(Subspace& s, const Impulses& gradient, int most) {
 }
 
 /// The impulse inside its bounds that is nearest.
-Vec3 inside_bounds(const ContactRow& row, const Vec3& impulse) {
-  if (row.is_tie()) return tie_kept(row, impulse);
-  const auto [least, most] = bounds_of(row);
-  const double pressed = row.normal.dot(impulse);
-  Vec3 friction = impulse - pressed * row.normal;
-  const double length = friction.norm();
-  if (length > row.disk) friction *= row.disk / length;
-  return std::clamp(pressed, least, most) * row.normal + friction;
+Vec3 inside_bounds(const Constraint& row, const RowResponse& response, const Vec3& impulse) {
+  return row.is_bond() ? bond_kept(row, impulse) : contact_kept(row, response, impulse);
 }
 
 /// Takes back, from the bodies too, what the bounds as they are now do not allow: disks have
 /// shrunk.
 void keep_bounds(const Subspace& s) {
   Impulses back;
-  for (ContactRow& row : s.rows) {
-    const Vec3 kept = inside_bounds(row, row.impulse);
+  for (std::size_t k = 0; k < s.rows.size(); ++k) {
+    Constraint& row = s.rows[k];
+    const Vec3 kept = inside_bounds(row, s.responses[k], row.impulse);
     back.push_back(kept - row.impulse);
     row.impulse = kept;
   }
   add_impulses(s.rows, s.bodies, back);
 }
 
-/// How far a row may go before it is at a bound, in [0, 1]: of its normal part, and of friction.
-std::array<double, 2> way_to_bounds(const ContactRow& row, const Vec3& change) {
-  std::array<double, 2> most{1, 1};
-  if (change.isZero(0)) return most;
-  if (row.is_tie()) return {tie_way(row, change), 1};
-  const double pressed = row.normal.dot(row.impulse), by = row.normal.dot(change);
-  const auto [lowest, highest] = bounds_of(row);
-  if (by < 0) most[0] = std::min(most[0], (lowest - pressed) / by);
-  if (by > 0) most[0] = std::min(most[0], (highest - pressed) / by);
-  const Vec3 t = row.impulse - pressed * row.normal, d = change - by * row.normal;
-  const double dd = d.squaredNorm(), td = t.dot(d);
-  const double left = std::max(0.0, row.disk * row.disk - t.squaredNorm());
-  if (dd > 0) most[1] = std::min(most[1], (std::sqrt(td * td + dd * left) - td) / dd);
-  return {std::max(0.0, most[0]), std::max(0.0, most[1])};
+/// How far a row may go before it is at a bound, in [0, 1]. A bond goes as a whole.
+std::array<double, 2> way_to_bounds(const Constraint& row, const RowResponse& response,
+                                    const Vec3& change) {
+  if (change.isZero(0)) return {1, 1};
+  if (row.is_bond()) return {bond_way(row, change), 1};
+  return contact_way(row, response, change);
 }
 
 /// How far, in [0, 1], all may go before the first is at a bound. Those that would be within half
@@ -296,7 +290,7 @@ double go_to_bounds(std::vector<Parts>& parts, const Subspace& s, const Impulses
   constexpr double soon = 0.5;
   double share = 1;
   for (std::size_t k = 0; k < change.size(); ++k) {
-    const auto [normal, friction] = way_to_bounds(s.rows[k], change[k]);
+    const auto [normal, friction] = way_to_bounds(s.rows[k], s.responses[k], change[k]);
     share = std::min({share, normal, friction});
     parts[k].normal = parts[k].normal && normal >= soon;
     parts[k].friction = parts[k].friction && friction >= soon;
@@ -308,36 +302,39 @@ double go_to_bounds(std::vector<Parts>& parts, const Subspace& s, const Impulses
 Impulses go_all_the_way(const Subspace& s, const Impulses& change) {
   Impulses bounded;
   for (std::size_t k = 0; k < change.size(); ++k) {
-    const ContactRow& row = s.rows[k];
-    bounded.push_back(inside_bounds(row, row.impulse + change[k]) - row.impulse);
+    const Constraint& row = s.rows[k];
+    bounded.push_back(inside_bounds(row, s.responses[k], row.impulse + change[k]) - row.impulse);
   }
   return bounded;
 }
 
-}  // namespace
-
-int solve_subspace(std::span<ContactRow> rows, std::span<RespondingBody> bodies, double step,
-                   int most, bool again) {
-  Subspace s{rows, bodies, step, {}, {}, {}, std::vector<BodyMotion>(bodies.size()), 0};
-  keep_bounds(s);
+/// The free parts of each row, with the impulses as they are.
+std::vector<Parts> free_parts(const Subspace& s) {
   double largest = 0;
-  for (const ContactRow& row : rows) largest = std::max(largest, row.impulse.norm());
+  for (const Constraint& row : s.rows) largest = std::max(largest, row.impulse.norm());
   std::vector<Parts> parts;
-  for (const ContactRow& row : rows) parts.push_back(free_parts(row, 1e-12 * largest));
+  for (std::size_t k = 0; k < s.rows.size(); ++k) {
+    parts.push_back(free_parts(s.rows[k], s.responses[k], 1e-12 * largest));
+  }
+  return parts;
+}
+
+/// The change of impulses that lowers the energy, as far as it was found; none where nothing does.
+Impulses least_change(Subspace& s, int most, bool again) {
+  std::vector<Parts> parts = free_parts(s);
   const Impulses gradient = gradient_of(s);
-  Impulses change(rows.size(), Vec3::Zero());
+  Impulses change(s.rows.size(), Vec3::Zero());
   double least = 0;
   const int first = again ? most / 2 : most;
   for (bool more = true; more && s.products + 2 < most;) {
     s.free.clear();
-    for (std::size_t k = 0; k < rows.size(); ++k) s.free.push_back(free_of(rows[k], parts[k]));
+    for (std::size_t k = 0; k < s.rows.size(); ++k) {
+      s.free.push_back(free_of(s.rows[k], s.responses[k], parts[k]));
+    }
     if (!factor_bodies(s)) break;
     Impulses whole = least_energy(s, gradient, std::min(most - 1, s.products + first));
     Impulses bounded = go_all_the_way(s, whole);
-    if (dot(bounded, gradient) + 0.5 * dot(bounded, response_to(s, bounded)) < 0) {
-      change = std::move(bounded);
-      break;
-    }
+    if (dot(bounded, gradient) + 0.5 * dot(bounded, response_to(s, bounded)) < 0) return bounded;
     const double share = go_to_bounds(parts, s, whole);
     more = again && share < 0.1;
     // Conjugate gradients: the response's part is half of the gradient's.
@@ -347,13 +344,27 @@ int solve_subspace(std::span<ContactRow> rows, std::span<RespondingBody> bodies,
     for (Vec3& c : whole) c *= share;
     change = std::move(whole);
   }
-  // Bodies and rows get the same impulses, after the bounds.
+  return change;
+}
+
+/// Gives bodies and rows the same impulses, after the bounds.
+void take(const Subspace& s, Impulses change) {
   for (std::size_t k = 0; k < change.size(); ++k) {
-    const Vec3 kept = inside_bounds(rows[k], rows[k].impulse + change[k]);
-    change[k] = kept - rows[k].impulse;
-    rows[k].impulse = kept;
+    Constraint& row = s.rows[k];
+    const Vec3 kept = inside_bounds(row, s.responses[k], row.impulse + change[k]);
+    change[k] = kept - row.impulse;
+    row.impulse = kept;
   }
-  add_impulses(rows, bodies, change);
+  add_impulses(s.rows, s.bodies, change);
+}
+
+}  // namespace
+
+int solve_subspace(const RowSolve& solve, int most, bool again) {
+  Subspace s{solve.rows, solve.responses, solve.bodies, solve.step, {}, {}, {}, {}, 0};
+  s.spare.resize(s.bodies.size());
+  keep_bounds(s);
+  take(s, least_change(s, most, again));
   return s.products;
 }
 

@@ -2,9 +2,7 @@
 // All contacts that press or stick at once: the equations that sweeps converge to, solved directly.
 #pragma once
 
-#include <span>
-
-#include "mechanics/contact/solver/contact_rows.hpp"
+#include "mechanics/contact/solver/row_response.hpp"
 
 namespace sunder {
 
@@ -17,9 +15,8 @@ namespace sunder {
 /// D the contacts' own elastic blocks, W the bodies' inverse masses, as preconditioner of conjugate
 /// gradients on what is elastic. The impulses keep their bounds, and the energy never rises.
 /// Where bounds stop it early and `again` is true, it tries without the rows that do.
-/// Gives the products with the response that it took, at most `most`. Needs: own responses set,
+/// Gives the products with the response that it took, at most `most`. Needs: responses set,
 /// bodies with the motion of the impulses.
-int solve_subspace(std::span<ContactRow> rows, std::span<RespondingBody> bodies, double step,
-                   int most, bool again);
+int solve_subspace(const RowSolve& solve, int most, bool again);
 
 }  // namespace sunder

@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "mechanics/contact/solver/contact_rows.hpp"
+#include "mechanics/contact/solver/row_response.hpp"
 #include "mechanics/frame/rotation.hpp"
 #include "tests/support/bodies.hpp"
 
@@ -15,8 +15,11 @@ namespace sunder::test {
 /// Bodies with the rows that act on them.
 struct RowProblem {
   std::vector<RespondingBody> bodies;
-  std::vector<ContactRow> rows;
+  std::vector<Constraint> rows;
+  std::vector<RowResponse> responses;  ///< one a row, from `prepare_rows` on
   double step = 1e-2;
+
+  RowSolve solve() { return {rows, responses, bodies, step}; }
 };
 
 inline double random_number(std::mt19937& random, double least, double most) {
@@ -69,11 +72,11 @@ inline RowProblem random_rows(unsigned seed, std::size_t count, double ratio) {
   std::array<std::vector<Vec3>, 4> arms;
   std::array<std::vector<double>, 4> weights;
   for (std::size_t k = 0; k < count; ++k) {
-    ContactRow row;
+    Constraint row;
     row.normal = random_vector(random).normalized();
-    row.gap = 0.01 * random_number(random, -1, 0.5);
+    row.contact().gap = 0.01 * random_number(random, -1, 0.5);
     row.slip = 0.01 * random_vector(random);
-    row.friction = 0.4;
+    row.contact().friction = 0.4;
     const std::uint32_t first = static_cast<std::uint32_t>(random() % 4);
     const std::uint32_t second = (first + 1 + static_cast<std::uint32_t>(random() % 3)) % 4;
     row.side_count = 2;
@@ -101,21 +104,24 @@ inline RowProblem random_rows(unsigned seed, std::size_t count, double ratio) {
 /// What `solve_contacts` fills in before it sweeps; nothing is pressed yet.
 inline void prepare_rows(RowProblem& problem) {
   set_to_rest(problem.bodies);
-  for (ContactRow& row : problem.rows) {
-    set_own_response(row, problem.bodies, problem.step);
-    row.normal_response = row.normal.dot(row.response * row.normal) + row.compliance;
+  problem.responses.clear();
+  for (const Constraint& row : problem.rows) {
+    RowResponse own = own_response(row, problem.bodies, problem.step);
+    own.normal_response = row.normal.dot(own.response * row.normal) + row.compliance;
     const Mat3 across = Mat3::Identity() - row.normal * row.normal.transpose();
-    row.tangential_response = Eigen::SelfAdjointEigenSolver<Mat3>(across * row.response * across)
+    own.tangential_response = Eigen::SelfAdjointEigenSolver<Mat3>(across * own.response * across)
                                   .eigenvalues()
                                   .maxCoeff();
-    row.push_most = row.normal_response > 0 ? 100 * row.push / row.normal_response : 0;
+    own.push_most = own.normal_response > 0 ? 100 * row.contact().push / own.normal_response : 0;
+    problem.responses.push_back(own);
   }
 }
 
 /// Radii of the disks by the normal impulses as they are.
 inline void set_disks(RowProblem& problem) {
-  for (ContactRow& row : problem.rows) {
-    row.disk = row.friction * std::max(0.0, row.normal.dot(row.impulse));
+  for (std::size_t k = 0; k < problem.rows.size(); ++k) {
+    const Constraint& row = problem.rows[k];
+    problem.responses[k].disk = row.contact().friction * std::max(0.0, row.normal.dot(row.impulse));
   }
 }
 
@@ -123,31 +129,33 @@ inline void set_disks(RowProblem& problem) {
 /// distance (m) of a row from where it should be.
 inline double plain_sweep(RowProblem& problem) {
   double farthest = 0;
-  for (ContactRow& row : problem.rows) {
+  for (std::size_t k = 0; k < problem.rows.size(); ++k) {
+    Constraint& row = problem.rows[k];
+    const RowResponse& response = problem.responses[k];
     const Vec3 n = row.normal;
     const double before = n.dot(row.impulse);
     const auto gap = [&] {
-      return row.gap + n.dot(relative_displacement(row, problem.bodies, problem.step)) +
+      return row.contact().gap + n.dot(relative_displacement(row, problem.bodies, problem.step)) +
              row.compliance * n.dot(row.impulse);
     };
-    double wanted = before - gap() / row.normal_response;
-    if (row.push > 0) {
-      const double give = row.push / row.push_most;
+    double wanted = before - gap() / response.normal_response;
+    if (row.contact().push > 0) {
+      const double give = row.contact().push / response.push_most;
       const double pushed =
-          before + (row.push - gap() - give * before) / (row.normal_response + give);
-      wanted = std::max(wanted, std::min(pushed, row.push_most));
+          before + (row.contact().push - gap() - give * before) / (response.normal_response + give);
+      wanted = std::max(wanted, std::min(pushed, response.push_most));
     }
-    wanted = std::clamp(wanted, row.least, row.most);
+    wanted = std::clamp(wanted, row.contact().least, row.contact().most);
     add_impulse(row, problem.bodies, (wanted - before) * n);
     row.impulse += (wanted - before) * n;
-    farthest = std::max(farthest, std::abs(wanted - before) * row.normal_response);
+    farthest = std::max(farthest, std::abs(wanted - before) * response.normal_response);
     const Vec3 total = row.slip + relative_displacement(row, problem.bodies, problem.step);
     const Vec3 friction = row.impulse - wanted * n;
-    Vec3 rubs = friction - (total - n * n.dot(total)) / row.tangential_response;
-    if (rubs.norm() > row.disk) rubs *= row.disk / rubs.norm();
+    Vec3 rubs = friction - (total - n * n.dot(total)) / response.tangential_response;
+    if (rubs.norm() > response.disk) rubs *= response.disk / rubs.norm();
     add_impulse(row, problem.bodies, rubs - friction);
     row.impulse += rubs - friction;
-    farthest = std::max(farthest, (rubs - friction).norm() * row.tangential_response);
+    farthest = std::max(farthest, (rubs - friction).norm() * response.tangential_response);
   }
   return farthest;
 }

@@ -5,6 +5,8 @@
 #include <catch2/catch.hpp>
 #include <random>
 
+#include "mechanics/contact/solver/row_response.hpp"
+
 using namespace sunder;
 
 namespace {
@@ -13,7 +15,7 @@ constexpr double h = 1e-2;
 
 struct Problem {
   std::vector<RespondingBody> bodies;
-  std::vector<ContactRow> rows;
+  std::vector<Constraint> rows;
 };
 
 /// Rows between random points of two rigid bodies and one elastic one.
@@ -32,11 +34,11 @@ Problem random_problem(unsigned seed, std::size_t rows) {
       Eigen::MatrixXd::NullaryExpr(size, size, [&] { return unit(random); });
   problem.bodies[2].elastic = h / static_cast<double>(rows) * any * any.transpose();
   for (std::size_t k = 0; k < rows; ++k) {
-    ContactRow row;
+    Constraint row;
     row.normal = vector().normalized();
-    row.gap = 0.01 * unit(random);
+    row.contact().gap = 0.01 * unit(random);
     row.slip = 0.01 * vector();
-    row.friction = 0.4;
+    row.contact().friction = 0.4;
     row.side_count = 2;
     row.sides[0] = {static_cast<std::uint32_t>(k % 2), ContactEnd::no_slot, 1, vector(), {}};
     row.sides[1] = {2, static_cast<std::uint32_t>(k), -1, vector(), {}};
@@ -46,7 +48,7 @@ Problem random_problem(unsigned seed, std::size_t rows) {
 }
 
 /// Relative displacement that the accumulated changes of the bodies mean for a row.
-Vec3 moved(const Problem& problem, const ContactRow& row) {
+Vec3 moved(const Problem& problem, const Constraint& row) {
   Vec3 sum = Vec3::Zero();
   for (std::uint32_t e = 0; e < row.side_count; ++e) {
     const RowSide& side = row.sides[e];
@@ -66,12 +68,12 @@ Problem wedge(double lean, double friction, double push, double fall, double rat
   problem.bodies[0].inverse_mass = 1;
   problem.bodies[0].inverse_inertia = Vec3(60, 60, 60).asDiagonal();
   for (const double side : {-1.0, 1.0}) {
-    ContactRow row;
+    Constraint row;
     row.normal = {-side * std::cos(lean), 0, std::sin(lean)};
-    row.gap = -fall * std::sin(lean);
+    row.contact().gap = -fall * std::sin(lean);
     row.slip = {0, 0, -fall};
-    row.push = push;
-    row.friction = friction;
+    row.contact().push = push;
+    row.contact().friction = friction;
     row.side_count = 1;
     row.sides[0].arm = {side * 0.1, 0, 0.02};
     if (ratio > 0) row.sides[0].slot = static_cast<std::uint32_t>(problem.rows.size());
@@ -94,18 +96,18 @@ TEST_CASE("solved contacts are complementary and rub inside Coulomb's circle",
   int pressed = 0, rubbing = 0;
   // A sweep's error is taken before the rows after it move the gap again: some times more is left.
   const double left = 100 * tolerance;
-  for (const ContactRow& row : problem.rows) {
+  for (const Constraint& row : problem.rows) {
     const Vec3 u = moved(problem, row);
     const double j = row.normal.dot(row.impulse);
-    const double gap = row.gap + row.normal.dot(u);
+    const double gap = row.contact().gap + row.normal.dot(u);
     CHECK(j >= 0);
     CHECK(gap > -left);
     if (j > 0) CHECK(std::abs(gap) < left);
     const Vec3 j_t = row.impulse - j * row.normal;
     const Vec3 total = row.slip + u;
     const Vec3 slip = total - row.normal.dot(total) * row.normal;
-    CHECK(j_t.norm() <= row.friction * j * (1 + 1e-12));
-    if (j > 0 && j_t.norm() < 0.999 * row.friction * j) CHECK(slip.norm() < left);
+    CHECK(j_t.norm() <= row.contact().friction * j * (1 + 1e-12));
+    if (j > 0 && j_t.norm() < 0.999 * row.contact().friction * j) CHECK(slip.norm() < left);
     if (j > 0 && slip.norm() > left) {
       ++rubbing;
       CHECK(j_t.normalized().dot(slip.normalized()) < -0.999);
@@ -118,8 +120,8 @@ TEST_CASE("solved contacts are complementary and rub inside Coulomb's circle",
 
 TEST_CASE("a guess changes the way, not the answer", "[mechanics][contact][solve]") {
   Problem cold = random_problem(9, 8), warm = random_problem(9, 8);
-  for (ContactRow& row : cold.rows) row.friction = 0;
-  for (ContactRow& row : warm.rows) row.friction = 0;
+  for (Constraint& row : cold.rows) row.contact().friction = 0;
+  for (Constraint& row : warm.rows) row.contact().friction = 0;
   solve_contacts(cold.rows, cold.bodies, {h, 1e-12, 20000});
   for (std::size_t k = 0; k < warm.rows.size(); ++k) warm.rows[k].guess = cold.rows[k].impulse;
   const SolveOutcome outcome = solve_contacts(warm.rows, warm.bodies, {h, 1e-10, 20000});
@@ -136,13 +138,13 @@ TEST_CASE("a solve that runs out of sweeps says so and keeps the bounds",
   CHECK_FALSE(outcome.converged);
   CHECK(outcome.iterations == 3);
   CHECK(outcome.residual > 0);
-  for (const ContactRow& row : problem.rows) CHECK(row.normal.dot(row.impulse) >= 0);
+  for (const Constraint& row : problem.rows) CHECK(row.normal.dot(row.impulse) >= 0);
 }
 
 TEST_CASE("a row that can move nothing stays as it is", "[mechanics][contact][solve]") {
   std::vector<RespondingBody> bodies(1);
-  std::vector<ContactRow> rows(1);
-  rows[0].gap = -1;
+  std::vector<Constraint> rows(1);
+  rows[0].contact().gap = -1;
   rows[0].side_count = 1;
   const SolveOutcome outcome = solve_contacts(rows, bodies, {h, 1e-9, 10});
   CHECK(outcome.converged);
@@ -153,8 +155,8 @@ TEST_CASE("compliance lets a contact give way by the force over its stiffness",
           "[mechanics][contact][solve]") {
   std::vector<RespondingBody> bodies(1);
   bodies[0].inverse_mass = 0.5;
-  std::vector<ContactRow> rows(1);
-  rows[0].gap = -0.01;
+  std::vector<Constraint> rows(1);
+  rows[0].contact().gap = -0.01;
   rows[0].side_count = 1;
   const double stiffness = 1e4;
   rows[0].compliance = 1 / (stiffness * h);
@@ -169,20 +171,20 @@ TEST_CASE("what is too deep is pushed out at the speed that is asked",
   std::vector<RespondingBody> bodies(2);
   bodies[0].inverse_mass = 0.5;
   bodies[1].inverse_mass = 3;
-  std::vector<ContactRow> rows(1);
-  rows[0].push = 1e-5;
-  rows[0].friction = 0.5;
+  std::vector<Constraint> rows(1);
+  rows[0].contact().push = 1e-5;
+  rows[0].contact().friction = 0.5;
   rows[0].side_count = 2;
   rows[0].sides[1].body = 1;
   rows[0].sides[1].weight = -1;
   // Falling into each other or resting: they end as far apart as is asked, to a hundredth of it.
-  rows[0].gap = GENERATE(0.0, -1e-6, -1e-5);
-  const double gap = rows[0].gap;
+  rows[0].contact().gap = GENERATE(0.0, -1e-6, -1e-5);
+  const double gap = rows[0].contact().gap;
   const SolveOutcome outcome = solve_contacts(rows, bodies, {h, 1e-12, 100});
   CHECK(outcome.converged);
   const double apart = gap + h * (bodies[0].motion.velocity.z() - bodies[1].motion.velocity.z());
-  CHECK(apart <= rows[0].push);
-  CHECK(apart == Approx(rows[0].push).epsilon(0.021));
+  CHECK(apart <= rows[0].contact().push);
+  CHECK(apart == Approx(rows[0].contact().push).epsilon(0.021));
 }
 
 TEST_CASE("what is wedged is pressed within bounds and gains no energy, however many sweeps",
@@ -206,17 +208,19 @@ TEST_CASE("what is wedged is pressed within bounds and gains no energy, however 
     CHECK(outcome.converged);
     Problem anew = problem;
     set_to_rest(anew.bodies);
-    for (const ContactRow& row : problem.rows) add_impulse(row, anew.bodies, row.impulse);
-    for (const ContactRow& row : problem.rows) {
+    for (const Constraint& row : problem.rows) add_impulse(row, anew.bodies, row.impulse);
+    for (const Constraint& row : problem.rows) {
       CHECK((moved(problem, row) - moved(anew, row)).norm() <= 1e-12 * std::max(fall, push));
     }
     // The pushes at their most, and what holds a falling body without friction.
     double work = 0;
-    for (const ContactRow& row : problem.rows) {
+    for (const Constraint& row : problem.rows) {
       const double held = lean > 0 ? fall / h / std::sin(lean) : fall / h;
-      CHECK(row.impulse.norm() <= (1 + friction) * (row.push_most + held) * (1 + 1e-12));
+      const double most = response_of(row, problem.bodies, h).push_most;
+      CHECK(row.impulse.norm() <= (1 + friction) * (most + held) * (1 + 1e-12));
       const Vec3 n = row.normal;
-      const Vec3 without = (row.gap - row.push) * n + row.slip - n * n.dot(row.slip);
+      const Vec3 without =
+          (row.contact().gap - row.contact().push) * n + row.slip - n * n.dot(row.slip);
       work += row.impulse.dot(without + 0.5 * moved(problem, row));
     }
     CHECK(work <= 0);
@@ -225,7 +229,7 @@ TEST_CASE("what is wedged is pressed within bounds and gains no energy, however 
     const double out = push / h / (lean > 0 ? std::sin(lean) : 1);
     CHECK(velocity.norm() <= std::max(fall / h, out) * (1 + 1e-9));
     if (sweeps == 400) {
-      for (const ContactRow& row : problem.rows) few.push_back(row.impulse);
+      for (const Constraint& row : problem.rows) few.push_back(row.impulse);
     } else {
       for (std::size_t k = 0; k < few.size(); ++k) {
         CHECK((problem.rows[k].impulse - few[k]).norm() <= 1e-4 * few[k].norm());

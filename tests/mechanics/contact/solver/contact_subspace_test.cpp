@@ -22,10 +22,10 @@ struct Energy {
   explicit Energy(const RowProblem& problem) : response(dense_response(problem)) {
     without.resize(response.rows());
     for (std::size_t k = 0; k < problem.rows.size(); ++k) {
-      const ContactRow& row = problem.rows[k];
+      const Constraint& row = problem.rows[k];
       const auto at = static_cast<Eigen::Index>(3 * k);
       const Vec3 n = row.normal;
-      without.segment<3>(at) = row.gap * n + row.slip - n * n.dot(row.slip);
+      without.segment<3>(at) = row.contact().gap * n + row.slip - n * n.dot(row.slip);
       response.block<3, 3>(at, at) += row.compliance * n * n.transpose();
     }
   }
@@ -33,23 +33,28 @@ struct Energy {
   double of(const RowProblem& problem) const {
     const Eigen::VectorXd f = impulses_of(problem);
     double energy = 0.5 * f.dot(response * f) + without.dot(f);
-    for (const ContactRow& row : problem.rows) {
-      if (!(row.push > 0)) continue;
-      const double pushed = std::min(row.normal.dot(row.impulse), row.push_most);
-      energy -= row.push * pushed - 0.5 * row.push / row.push_most * pushed * pushed;
+    for (std::size_t k = 0; k < problem.rows.size(); ++k) {
+      const Constraint& row = problem.rows[k];
+      if (!(row.contact().push > 0)) continue;
+      const double most = problem.responses[k].push_most;
+      const double pushed = std::min(row.normal.dot(row.impulse), most);
+      energy -= row.contact().push * pushed - 0.5 * row.contact().push / most * pushed * pushed;
     }
     return energy;
   }
 };
 
+/// Needs: `problem.responses` with the disks that friction is to keep to.
 void check_bounds(const RowProblem& problem) {
-  for (const ContactRow& row : problem.rows) {
+  for (std::size_t k = 0; k < problem.rows.size(); ++k) {
+    const Constraint& row = problem.rows[k];
     const double pressed = row.normal.dot(row.impulse);
     // A normal part put back together from its row is off by a rounding.
     const double rounding = 1e-14 * row.impulse.norm();
-    CHECK(pressed >= row.least - rounding);
-    CHECK(pressed <= row.most + rounding);
-    CHECK((row.impulse - pressed * row.normal).norm() <= row.disk * (1 + 1e-12) + rounding);
+    CHECK(pressed >= row.contact().least - rounding);
+    CHECK(pressed <= row.contact().most + rounding);
+    CHECK((row.impulse - pressed * row.normal).norm() <=
+          problem.responses[k].disk * (1 + 1e-12) + rounding);
   }
 }
 
@@ -57,7 +62,7 @@ void check_bounds(const RowProblem& problem) {
 void check_motion(const RowProblem& problem) {
   RowProblem anew = problem;
   set_to_rest(anew.bodies);
-  for (const ContactRow& row : problem.rows) add_impulse(row, anew.bodies, row.impulse);
+  for (const Constraint& row : problem.rows) add_impulse(row, anew.bodies, row.impulse);
   const Eigen::VectorXd moved = displacements_of(anew);
   CHECK((displacements_of(problem) - moved).norm() <= 1e-11 * moved.norm());
 }
@@ -66,11 +71,11 @@ void check_motion(const RowProblem& problem) {
 RowProblem mixed_rows(unsigned seed, double ratio) {
   RowProblem problem = random_rows(seed, 16, ratio);
   for (std::size_t k = 0; k < problem.rows.size(); ++k) {
-    ContactRow& row = problem.rows[k];
-    if (k % 4 == 1) row.push = 1e-3;
+    Constraint& row = problem.rows[k];
+    if (k % 4 == 1) row.contact().push = 1e-3;
     if (k % 4 == 2) row.compliance = 1e-3 * problem.step;
-    if (k % 8 == 3) row.most = 0.3;
-    if (k % 8 == 7) row.friction = 0;
+    if (k % 8 == 3) row.contact().most = 0.3;
+    if (k % 8 == 7) row.contact().friction = 0;
   }
   return problem;
 }
@@ -83,10 +88,10 @@ RowProblem two_blocks(double ratio, double friction) {
   std::vector<Vec3> arms;
   for (int i = -2; i <= 2; ++i) {
     for (int j = -2; j <= 2; ++j) {
-      ContactRow row;
-      row.gap = -1e-3 * (1 + 0.2 * i + 0.1 * j);
+      Constraint row;
+      row.contact().gap = -1e-3 * (1 + 0.2 * i + 0.1 * j);
       row.slip = {1e-5, -2e-5, 0};
-      row.friction = friction;
+      row.contact().friction = friction;
       row.side_count = 2;
       for (std::uint32_t s = 0; s < 2; ++s) {
         RowSide& side = row.sides[s];
@@ -132,14 +137,14 @@ TEST_CASE("bodies move as the impulses say where a contact presses by next to no
     for (int k = 0; k < 3; ++k) plain_sweep(problem);
     // Squares of these are below the least number.
     for (std::size_t k = 0; k < problem.rows.size(); k += 3) {
-      ContactRow& row = problem.rows[k];
+      Constraint& row = problem.rows[k];
       const Vec3 back = 1e-175 * row.normal - row.impulse;
       row.impulse += back;
       add_impulse(row, problem.bodies, back);
-      row.disk = 1e-176;
+      problem.responses[k].disk = 1e-176;
     }
     INFO("seed " << seed);
-    solve_subspace(problem.rows, problem.bodies, problem.step, 24, seed % 2 == 0);
+    solve_subspace(problem.solve(), 24, seed % 2 == 0);
     check_motion(problem);
     check_bounds(problem);
   }
@@ -152,7 +157,7 @@ TEST_CASE("the subspace never raises the energy and keeps bounds and disks",
     for (int round = 0; round < 6; ++round) {
       for (int k = 0; k < 3; ++k) plain_sweep(problem);
       const double before = energy.of(problem);
-      const int products = solve_subspace(problem.rows, problem.bodies, problem.step, 24, again);
+      const int products = solve_subspace(problem.solve(), 24, again);
       CHECK(products <= 24);
       INFO("round " << round);
       CHECK(energy.of(problem) <= before + 1e-12 * std::abs(before));
@@ -170,17 +175,17 @@ TEST_CASE("friction that a smaller disk forbids is taken from the body too",
   problem.bodies.resize(1);
   problem.bodies[0].inverse_mass = 1;
   problem.rows.resize(1);
-  ContactRow& row = problem.rows[0];
-  row.gap = -0.01;
+  Constraint& row = problem.rows[0];
+  row.contact().gap = -0.01;
   row.slip = {-0.02, 0, 0};
   row.side_count = 1;
   prepare_rows(problem);
-  row.disk = 10;
+  problem.responses[0].disk = 10;
   plain_sweep(problem);
   REQUIRE((row.impulse - Vec3(2, 0, 1)).norm() < 1e-12);
-  row.disk = 0.4;
+  problem.responses[0].disk = 0.4;
   const bool again = GENERATE(false, true);
-  solve_subspace(problem.rows, problem.bodies, problem.step, 24, again);
+  solve_subspace(problem.solve(), 24, again);
   CHECK((problem.bodies[0].motion.velocity - row.impulse).norm() < 1e-12);
 }
 
@@ -190,7 +195,7 @@ TEST_CASE("impulses and motions agree also after disks have shrunk",
     for (int round = 0; round < 6; ++round) {
       for (int k = 0; k < 3; ++k) plain_sweep(problem);
       set_disks(problem);
-      solve_subspace(problem.rows, problem.bodies, problem.step, 24, again);
+      solve_subspace(problem.solve(), 24, again);
       INFO("round " << round);
       check_bounds(problem);
       check_motion(problem);
@@ -204,16 +209,15 @@ TEST_CASE("with everything free the subspace is the dense solve", "[mechanics][c
   const bool again = GENERATE(false, true);
   INFO("ratio " << ratio << " seed " << seed);
   RowProblem problem = random_rows(seed, 8, ratio);
-  for (ContactRow& row : problem.rows) {
-    row.least = -std::numeric_limits<double>::infinity();
+  for (Constraint& row : problem.rows) {
+    row.contact().least = -std::numeric_limits<double>::infinity();
     row.compliance = 1e-2 * problem.step;
   }
   prepare_rows(problem);
-  for (ContactRow& row : problem.rows) row.disk = 1e12;
+  for (RowResponse& response : problem.responses) response.disk = 1e12;
   const Energy energy(problem);
   // Each call goes on where the last one ended.
-  for (int k = 0; k < 8; ++k)
-    solve_subspace(problem.rows, problem.bodies, problem.step, 400, again);
+  for (int k = 0; k < 8; ++k) solve_subspace(problem.solve(), 400, again);
   const Eigen::VectorXd dense = -energy.response.ldlt().solve(energy.without);
   const Eigen::VectorXd left = energy.response * impulses_of(problem) + energy.without;
   CHECK(left.norm() <= 1e-10 * energy.without.norm());
@@ -224,7 +228,7 @@ TEST_CASE("with everything free the subspace is the dense solve", "[mechanics][c
 TEST_CASE("nothing that is free: nothing changes", "[mechanics][contact][solve]") {
   RowProblem problem = random_rows(5, 6, 1e4);
   prepare_rows(problem);
-  solve_subspace(problem.rows, problem.bodies, problem.step, 24, true);
+  solve_subspace(problem.solve(), 24, true);
   CHECK(impulses_of(problem).isZero(0));
   CHECK(displacements_of(problem).isZero(0));
 }
@@ -238,6 +242,10 @@ TEST_CASE("stiff bodies converge where plain sweeps do not", "[mechanics][contac
       solve_contacts(quick.rows, quick.bodies, {quick.step, tolerance, 200});
   CHECK(outcome.converged);
   CHECK(outcome.iterations <= 200);
+  // With the disks that the solve ended with.
+  for (const Constraint& row : quick.rows) {
+    quick.responses.push_back(response_of(row, quick.bodies, quick.step));
+  }
   check_bounds(quick);
   check_motion(quick);
   prepare_rows(plain);
@@ -248,10 +256,10 @@ TEST_CASE("stiff bodies converge where plain sweeps do not", "[mechanics][contac
   // By how far gaps are from where they should be, with the impulses as they are.
   const auto worst_gap = [](const RowProblem& problem) {
     double worst = 0;
-    for (const ContactRow& row : problem.rows) {
+    for (const Constraint& row : problem.rows) {
       const double pressed = row.normal.dot(row.impulse);
-      const double gap =
-          row.gap + row.normal.dot(relative_displacement(row, problem.bodies, problem.step));
+      const double gap = row.contact().gap +
+                         row.normal.dot(relative_displacement(row, problem.bodies, problem.step));
       worst = std::max(worst, pressed > 0 ? std::abs(gap) : -gap);
     }
     return worst;

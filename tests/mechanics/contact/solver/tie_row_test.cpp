@@ -18,17 +18,20 @@ Vec3 random_vector(std::mt19937& random) {
 }
 
 /// How far an impulse is out of what a tie bears, in units of that.
-double outside(const ContactRow& row, const Vec3& impulse) {
+double outside(const Constraint& row, const Vec3& impulse) {
   const double pull = std::max(0.0, -row.normal.dot(impulse));
   const Vec3 shear = impulse - row.normal.dot(impulse) * row.normal;
-  return std::sqrt(pull * pull + shear.squaredNorm() / row.sliding_stiffness) / row.tie_most - 1;
+  const CohesiveBond& bond = row.bond();
+  return std::sqrt(pull * pull + shear.squaredNorm() / bond.sliding_stiffness) / bond.most - 1;
 }
 
-ContactRow some_tie(std::mt19937& random) {
-  ContactRow row;
+Constraint some_tie(std::mt19937& random) {
+  Constraint row;
   row.normal = random_vector(random).normalized();
-  row.tie_most = std::abs(random_vector(random).x()) + 0.1;
-  row.sliding_stiffness = std::exp(0.5 * random_vector(random).x());
+  CohesiveBond bond;
+  bond.most = std::abs(random_vector(random).x()) + 0.1;
+  bond.sliding_stiffness = std::exp(0.5 * random_vector(random).x());
+  row.law = bond;
   return row;
 }
 
@@ -50,14 +53,14 @@ RespondingBody some_body(std::mt19937& random, std::size_t slots) {
 
 TEST_CASE("what a tie keeps is what it bears, and nothing that it bears is nearer", "[ties]") {
   std::mt19937 random(4);
-  const auto distance = [](const ContactRow& row, const Vec3& a, const Vec3& b) {
+  const auto distance = [](const Constraint& row, const Vec3& a, const Vec3& b) {
     const double along = row.normal.dot(a - b);
-    return along * along + ((a - b).squaredNorm() - along * along) / row.sliding_stiffness;
+    return along * along + ((a - b).squaredNorm() - along * along) / row.bond().sliding_stiffness;
   };
   for (int i = 0; i < 200; ++i) {
-    const ContactRow row = some_tie(random);
+    const Constraint row = some_tie(random);
     const Vec3 impulse = 3 * random_vector(random);
-    const Vec3 kept = tie_kept(row, impulse);
+    const Vec3 kept = bond_kept(row, impulse);
     REQUIRE(outside(row, kept) < 1e-12);
     if (outside(row, impulse) < 0) REQUIRE(kept == impulse);
     for (int k = 0; k < 100; ++k) {
@@ -71,11 +74,11 @@ TEST_CASE("what a tie keeps is what it bears, and nothing that it bears is neare
 TEST_CASE("the way of a tie ends at its bound or where pull turns to pressure", "[ties]") {
   std::mt19937 random(5);
   for (int i = 0; i < 500; ++i) {
-    ContactRow row = some_tie(random);
+    Constraint row = some_tie(random);
     row.compliance = i % 2;
-    row.impulse = 0.9 * tie_kept(row, random_vector(random));
+    row.impulse = 0.9 * bond_kept(row, random_vector(random));
     const Vec3 change = random_vector(random);
-    const double way = tie_way(row, change);
+    const double way = bond_way(row, change);
     REQUIRE(way >= 0);
     REQUIRE(way <= 1);
     REQUIRE(outside(row, row.impulse + way * change) < 1e-9);
@@ -94,9 +97,9 @@ TEST_CASE("solved ties obey their law: stick, give along the secant, or pull all
   for (int trial = 0; trial < 50; ++trial) {
     const std::size_t count = 1 + trial % 12;
     std::vector<RespondingBody> bodies = {some_body(random, count)};
-    std::vector<ContactRow> rows;
+    std::vector<Constraint> rows;
     for (std::uint32_t k = 0; k < count; ++k) {
-      ContactRow row = some_tie(random);
+      Constraint row = some_tie(random);
       row.compliance = k % 3 == 0 ? 0 : u(random);
       row.slip = random_vector(random);
       row.sides[0] = {.body = 0, .slot = k, .weight = 0};
@@ -105,10 +108,10 @@ TEST_CASE("solved ties obey their law: stick, give along the secant, or pull all
     }
     const SolveOutcome outcome = solve_contacts(rows, bodies, {1, 1e-12, 20000});
     REQUIRE(outcome.converged);
-    for (const ContactRow& row : rows) {
+    for (const Constraint& row : rows) {
       REQUIRE(outside(row, row.impulse) < 1e-12);
       const Vec3 opening = row.slip + relative_displacement(row, bodies, 1);
-      const Vec3 left = opening + tie_give(row) * row.impulse;
+      const Vec3 left = opening + bond_give(row) * row.impulse;
       if (outside(row, row.impulse) < -1e-9) {
         // Short of its bound: no opening but that of the secant.
         CHECK(left.norm() < 1e-9);
@@ -121,7 +124,7 @@ TEST_CASE("solved ties obey their law: stick, give along the secant, or pull all
       const Vec3 shear = row.impulse + pull * row.normal;
       if (pull > 1e-9) {
         CHECK(along >= -1e-9);
-        CHECK((across * pull + shear / row.sliding_stiffness * along).norm() < 1e-7);
+        CHECK((across * pull + shear / row.bond().sliding_stiffness * along).norm() < 1e-7);
       } else {
         CHECK(std::abs(along) < 1e-9);
       }
