@@ -165,6 +165,7 @@ void add_contact(ContactReport& sum, const ContactReport& part) {
   if (part.residual - part.tolerated >= sum.residual - sum.tolerated) {
     sum.residual = part.residual;
     sum.tolerated = part.tolerated;
+    sum.force_error = part.force_error;
   }
   sum.converged = sum.converged && part.converged;
   const std::size_t obstacles = std::max(sum.obstacle_impulse.size(), part.obstacle_impulse.size());

@@ -100,6 +100,7 @@ void solve_pass(ContactStep& step) {
                       step.settings.max_iterations, step.pass.input.hurry, !step.is_wave()});
   step.report.iterations += outcome.iterations;
   step.report.converged = step.report.converged && outcome.converged;
+  step.report.force_error = outcome.impulse / step.h();
   step.stalled = outcome.stalled;
   step.scratch.change.resize(step.contacts.size());
   for (std::size_t k = 0; k < step.contacts.size(); ++k) {

@@ -20,6 +20,7 @@ struct ContactReport {
   int iterations = 0;            ///< sweeps, all passes
   double residual = 0;           ///< m, largest constraint violation left in a gap
   double tolerated = 0;          ///< m, `ContactSettings::tolerance` as a length
+  double force_error = 0;        ///< N, by which the last sweep changed a contact's force most
   bool converged = true;         ///< residual <= tolerated in the sweeps of every pass
   double deepest = 0;            ///< m, deepest overlap at the end of the step, >= 0
   /// Contacts outside the solve (over `max_contacts_per_pair`, or met after the last pass) that end

@@ -304,6 +304,15 @@ bool spend_on_subspace(SolveOutcome& outcome, const RowSolve& solve, const Solve
   return true;
 }
 
+/// N s: by which an impulse has changed most.
+double largest_change(std::span<const Constraint> rows, std::span<const Vec3> before) {
+  double squared = 0;
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    squared = std::max(squared, (rows[k].impulse - before[k]).squaredNorm());
+  }
+  return std::sqrt(squared);
+}
+
 /// Rounds of sweeps with the same disks, until the impulses converge.
 SolveOutcome sweep_in_rounds(const RowSolve& solve, const SolveLimits& limits) {
   // Sweeps of a round, unless it converges earlier.
@@ -319,6 +328,7 @@ SolveOutcome sweep_in_rounds(const RowSolve& solve, const SolveLimits& limits) {
     ++outcome.iterations;
     for (std::size_t k = 0; k < count; ++k) search.before[k] = solve.rows[k].impulse;
     outcome.residual = sweep(solve);
+    outcome.impulse = largest_change(solve.rows, search.before);
     if (limits.hurry && *limits.hurry) break;
     if (++sweeps >= round_length || outcome.residual <= std::max(limits.tolerance, 0.1 * moved)) {
       moved = follow_disks(solve);

@@ -20,6 +20,7 @@ struct SolveLimits {
 struct SolveOutcome {
   int iterations = 0;
   double residual = 0;  ///< m: largest |gap - projected gap| in the last sweep
+  double impulse = 0;   ///< N s: largest change of an impulse in it
   bool converged = true;
   bool stalled = false;  ///< converged near the tolerance only
 };

@@ -46,6 +46,8 @@ void note_contact(RunStatistics& statistics, const StepReport& report) {
   ++statistics.unconverged_steps;
   if (now.residual > statistics.worst_residual) {
     statistics.worst_residual = now.residual;
+    statistics.tolerated = now.tolerated;
+    statistics.force_error = now.force_error;
     statistics.worst_step = report.step;
   }
 }
@@ -59,6 +61,8 @@ ordered_json contact_report(const RunStatistics& s) {
   ordered_json report = {{"steps", s.contact_steps},
                          {"not_converged", s.unconverged_steps},
                          {"worst_residual", s.worst_residual},
+                         {"tolerated", s.tolerated},
+                         {"force_error", s.force_error},
                          {"worst_step", s.worst_step}};
   report.update(counters_json(s.contact));
   return report;
@@ -373,8 +377,9 @@ std::string summary_table(const ordered_json& r) {
   row("largest piece", fmt::format("{:.4g} kg of {:.4g} kg", number("/fragments/largest_mass"),
                                    number("/fragments/mass")));
   if (const auto missed = r["contact"]["not_converged"].get<std::uint64_t>(); missed > 0) {
-    row("contact", fmt::format("not converged in {}, worst {:.2g} m", counted(missed, "step"),
-                               number("/contact/worst_residual")));
+    row("contact", fmt::format("not converged in {}, worst {:.2g} m (tolerated {:.1g} m), {:.2g} N",
+                               counted(missed, "step"), number("/contact/worst_residual"),
+                               number("/contact/tolerated"), number("/contact/force_error")));
   }
   row("mass error", fmt::format("{:.1e}", number("/fragments/mass_error")));
   return text;

@@ -50,7 +50,7 @@ constexpr auto member_names(const SearchCounts*) {
 }
 constexpr auto member_names(const ContactReport*) {
   return names("candidates", "contacts", "passes", "iterations", "residual", "tolerated",
-               "converged", "deepest", "left_out", "obstacle_impulse");
+               "force_error", "converged", "deepest", "left_out", "obstacle_impulse");
 }
 constexpr auto member_names(const ImpactReport*) {
   return names("opened", "spared_by_pair", "spared_by_island", "closed_by_time", "closed_by_energy",
@@ -113,16 +113,16 @@ requires std::is_same_v<std::remove_const_t<S>, RunStatistics>
 void archive_struct(Archive& a, S& statistics) {
   auto& [step_ms, stage_ms, fans, faces_split, search, contact, impact, ladder, rubble, solve,
          energy, ties, contact_steps, unconverged_steps, impact_steps, stopped_steps,
-         worst_residual, worst_step, most_iterations, predicted, predicted_rightly, separated,
-         fan_us, searched, damping_work, energy_released, cracks, energy_at_start,
-         momentum_at_start, momentum, mass_at_start, drawn_off, drawn_off_step, warnings, troubles,
-         turned_too_far] = statistics;
+         worst_residual, tolerated, force_error, worst_step, most_iterations, predicted,
+         predicted_rightly, separated, fan_us, searched, damping_work, energy_released, cracks,
+         energy_at_start, momentum_at_start, momentum, mass_at_start, drawn_off, drawn_off_step,
+         warnings, troubles, turned_too_far] = statistics;
   const auto all = [&](auto&... member) { (archive(a, member), ...); };
   all(step_ms, stage_ms, fans, faces_split, search, contact, impact, ladder, rubble, solve, energy,
       ties, contact_steps, unconverged_steps, impact_steps, stopped_steps, worst_residual,
-      worst_step, most_iterations, predicted, predicted_rightly, separated, fan_us, searched,
-      damping_work, energy_released, cracks, energy_at_start, momentum_at_start, momentum,
-      mass_at_start, drawn_off, drawn_off_step, warnings, troubles, turned_too_far);
+      tolerated, force_error, worst_step, most_iterations, predicted, predicted_rightly, separated,
+      fan_us, searched, damping_work, energy_released, cracks, energy_at_start, momentum_at_start,
+      momentum, mass_at_start, drawn_off, drawn_off_step, warnings, troubles, turned_too_far);
 }
 
 /// All but the scene, which the saved state has.
