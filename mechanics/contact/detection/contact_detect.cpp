@@ -13,7 +13,6 @@
 #include "mechanics/contact/detection/contact_edges.hpp"
 #include "mechanics/contact/detection/contact_partners.hpp"
 #include "mechanics/contact/detection/contact_pieces.hpp"
-#include "mechanics/contact/detection/knife_edges.hpp"
 #include "mechanics/contact/shapes/nearest_point.hpp"
 #include "mechanics/contact/shapes/obstacle_geometry.hpp"
 #include "topology/base/assert.hpp"
@@ -221,18 +220,11 @@ void find_contacts(DetectScratch& scratch, const ContactMemory& memory, const St
   for (std::uint32_t row = 0; row < paths.obstacles.size(); ++row) {
     if (!is_far(paths, row, reach)) find_vertex_obstacle(scratch, paths, row, settings.friction, rim);
   }
-  const auto is_box = [](const Obstacle& o) { return std::holds_alternative<Box>(o.shape); };
-  const bool has_surface = !paths.neighbours.empty();
-  if (has_surface && std::ranges::any_of(paths.obstacles, is_box)) {
-    update_surface(scratch.surface, paths.state.elements, paths.corners, paths.neighbours,
-                   paths.state.vertices.size());
-    turn_to_flat_surfaces(scratch, paths, settings.allowed_penetration);
-  }
   if (paths.obstacles.size() > 1) leave_out_seams(scratch, paths, rim);
   find_between_obstacles(scratch, paths, rim);
   find_edges_of_obstacles(scratch, paths, settings);
   if (settings.between_pieces) find_between_partners(scratch, memory, paths, settings);
-  if (!has_surface) return;
+  if (paths.neighbours.empty()) return;
   StepPaths with_corners = paths;
   find_corners(scratch.corner, paths, reach);
   with_corners.corner = scratch.corner;

@@ -122,13 +122,14 @@ Bounds way_of_obstacle(const StepPaths& paths, std::uint32_t row) {
   return box;
 }
 
-/// Whether a plane through an edge leaves the faces of A above and those of B below, but for what
-/// counts as flat. `normal`: unit.
+/// Whether a plane through an edge leaves the faces of A above and those of B below. `normal`: unit.
 bool fits(const MovingEdge& a, const MovingEdge& b, const Vec3& normal) {
+  // Faces that lie on each other are in the plane but for rounding.
+  constexpr double level = 1e-6;
   const auto is_above = [&](const MovingEdge& edge, const Vec3& up) {
     for (std::uint32_t k = 0; k < edge.besides; ++k) {
       const Vec3 beside = edge.beside[k] - edge.start[0];
-      if (up.dot(beside) < -flat_sine * beside.norm()) return false;
+      if (up.dot(beside) < -level * beside.norm()) return false;
     }
     return true;
   };
@@ -143,16 +144,7 @@ std::array<double, 2> nearest_shares(const MovingEdge& a, const MovingEdge& b, d
   return {(uv * v.dot(r) - vv * u.dot(r)) / across, (uu * v.dot(r) - uv * u.dot(r)) / across};
 }
 
-/// Whether edges are nearest within A and within B. On the edge of an obstacle all of A counts: the
-/// vertex at its end may not lie on that edge.
-bool is_within(const MovingEdge& a, const MovingEdge& b, double share_a, double share_b) {
-  const auto is_between = [](double share, double left) {
-    return share > left && share < 1 - left;
-  };
-  constexpr double rounding = 1e-6;
-  const bool has_ends = b.is_obstacle && !a.is_obstacle;
-  return is_between(share_a, has_ends ? -rounding : end_share) && is_between(share_b, end_share);
-}
+bool is_between(double share) { return share > end_share && share < 1 - end_share; }
 
 std::optional<EdgeTouch> touch_of(const MovingEdge& a, const MovingEdge& b, double band) {
   const auto normal_at = [&](double part) { return Vec3(a.along(part).cross(b.along(part))); };
@@ -175,7 +167,7 @@ std::optional<EdgeTouch> touch_of(const MovingEdge& a, const MovingEdge& b, doub
   EdgeTouch touch;
   touch.normal = sign * normal_at(part).normalized();
   const auto [s, t] = nearest_shares(a, b, part);
-  if (!is_within(a, b, s, t)) return std::nullopt;
+  if (!is_between(s) || !is_between(t)) return std::nullopt;
   touch.share_a = s;
   touch.share_b = t;
   const Vec3 from = a.at(s, 0) - b.at(t, 0), to = a.at(s, 1) - b.at(t, 1);
@@ -325,9 +317,8 @@ void find_between_edges(DetectScratch& scratch, const StepPaths& paths,
     for_each_edge_within(paths, obstacle, {reach.low, reach.high}, [&](const MovingEdge& other) {
       const Bounds way = bounds_of(other);
       for (std::uint32_t row = 0; row < edges.size(); ++row) {
-        // Flat edges too: a face may lie on the edge of a box.
         if (!way.overlaps(boxes[row]) || !is_member(paths, edges[row])) continue;
-        meet_edges(moving_edge(paths, edges[row], row), other);
+        if (is_sharp(paths, edges[row])) meet_edges(moving_edge(paths, edges[row], row), other);
       }
     });
   }
