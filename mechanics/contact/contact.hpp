@@ -79,8 +79,8 @@ struct ContactStepResult {
 /// tetrahedron of another component, as the step begins gets the impulse
 ///   h (k depth - c v_n) n >= 0 at its start, and against the slip h min(c |v_t|, mu f_n);
 /// balls likewise. Needs: whole steps of everything, without `StepPart::impact`.
-/// Bodies that rest on something are solved for their supports first, and for all that they then
-/// still meet (`leave_to_next_pass`): they slide over seams of what lies flush. Once all contacts
+/// The first pass solves for the supports of resting bodies, the next ones for all other contacts
+/// (`leave_to_next_pass`). Bodies so slide over seams between flush solids. Once all contacts
 /// are solved, but in a wave, tetrahedra that overlap as the step ends are contacts too
 /// (`find_overlaps`). With `StepPart::divides` a step in which pieces would pass each other is not
 /// taken (`find_passing`).

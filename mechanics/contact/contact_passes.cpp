@@ -39,8 +39,8 @@ void predict_balls(ContactStep& step) {
 
 namespace {
 
-/// m: of a sphere on a piece, whose paths are those of its centre: how much less the piece's matter
-/// moves where they touch than it would at the centre.
+/// m: how much less the matter of a piece moves where a sphere touches it than it would at the
+/// centre of the sphere. Paths of spheres are those of their centres.
 Vec3 turn_of_arm(const ContactStep& step, const ContactPoint& contact) {
   if (!contact.is_sphere_a() || !contact.is_body_b()) return Vec3::Zero();
   const Vec3 arm = radius_of(step.pass.obstacles[contact.ball].shape) * contact.normal;
@@ -64,7 +64,7 @@ double measure_contact(const ContactStep& step, const ContactPoint& contact, Con
   row.slip = path.end - path.start + relative_shift(step, contact) + turn_of_arm(step, contact);
   for (std::uint32_t e = 0; e < row.end_count; ++e) {
     const std::uint32_t ball = step.scratch.bodies.ball[row.ends[e].body];
-    // Ways of what is no sphere have their turns in them.
+    // The ways of all other obstacles contain their turns.
     if (ball == ContactBodies::none || !is_sphere(step.pass.obstacles[ball])) continue;
     row.slip +=
         step.h() * row.ends[e].weight * step.pass.obstacles[ball].spin.cross(row.ends[e].arm);
@@ -89,7 +89,7 @@ double measure_rows(ContactStep& step) {
   return worst;
 }
 
-/// Solves, hands the changes on, and predicts what was touched.
+/// Solves, hands the changes on, and predicts all bodies that were touched.
 void solve_pass(ContactStep& step) {
   ContactBodies& bodies = step.scratch.bodies;
   // With a unit step, displacements are velocities.
@@ -117,8 +117,8 @@ void solve_pass(ContactStep& step) {
   ++step.report.passes;
 }
 
-/// Further passes are for methods whose bodies answer as the response says: others turn what it is
-/// off by into impulses, the more the more passes there are.
+/// Further passes are for methods with bodies that answer as the response says. Other methods turn
+/// the error of the response into impulses, and each pass adds to them.
 int most_passes(const ContactStep& step) {
   constexpr int for_others = 3;
   const IntegratorSettings& method = step.pass.input.settings;

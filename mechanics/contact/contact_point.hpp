@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One contact, and what contact remembers from step to step.
+// One contact, and the memory of contact from step to step.
 #pragma once
 
 #include <array>
@@ -13,9 +13,10 @@
 namespace sunder {
 
 /// One unilateral contact with friction. Side A is a vertex, a point of a tetrahedron, a sphere, or a
-/// corner or a point of an edge of another obstacle; side B an obstacle, a face or an edge of a tetrahedron
-/// (its ball for `penalty`), or the vertex of it that was one with A before a crack (`Partner`). What B gets acts at the place of A, so that no angular
-/// momentum is lost, and is shared among the corners by `weights`.
+/// corner or a point of an edge of another obstacle. Side B is an obstacle, a face or an edge of a
+/// tetrahedron (its ball for `penalty`), or the vertex that was one with A before a crack
+/// (`Partner`). The impulse on B acts at the place of A, so that no angular momentum is lost. The
+/// corners of B share it by `weights`.
 struct ContactPoint {
   static constexpr std::uint32_t none = 0xffffffffu;
   static constexpr std::uint8_t edge_place = 4;  ///< `place` of edge 0 (`edge_ends`)
@@ -46,7 +47,7 @@ struct ContactPoint {
 
   bool is_body_a() const { return ball == none; }      ///< A: of a body, not of an obstacle
   bool is_body_b() const { return obstacle == none; }  ///< B: likewise
-  /// A: a sphere, whose path is that of its centre.
+  /// A: a sphere; its path is that of its centre.
   bool is_sphere_a() const { return ball != none && corner == none && edge_a == none; }
 };
 
@@ -71,7 +72,7 @@ void for_each_component(const ContactPoint& contact, const MechanicsState& state
   }
 }
 
-/// What contact must remember from step to step; part of the saved state.
+/// The memory of contact from step to step; part of the saved state.
 struct ContactMemory {
   /// A contact with the impulse that it last had, and the length of that step, s.
   struct Remembered {

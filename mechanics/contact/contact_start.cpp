@@ -47,8 +47,8 @@ std::vector<TetId> tetrahedra_of_vertices(const StepPaths& paths) {
 }
 
 /// Whether a gap ends farther from where it may be than `passing_share` of the mean edge of a
-/// tetrahedron, or of the radius of a sphere, that meets there. Then turns within the step go beyond
-/// what the response to impulses is good for.
+/// tetrahedron, or of the radius of a sphere, that meets there. Then bodies turn farther
+/// in the step than the response to impulses allows for.
 bool ends_far_off(const ContactStep& step) {
   if (step.report.residual <= step.report.tolerated) return false;
   const StepPaths paths = paths_of(step);

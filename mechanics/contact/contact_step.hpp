@@ -93,8 +93,8 @@ void put_back(ContactStep& step);
 /// Free obstacles at the end of the step.
 void predict_balls(ContactStep& step);
 
-/// Passes until the predicted gaps are as solved for. What remains is the residual. False when
-/// there are blows ahead.
+/// Passes until the predicted gaps are as solved for. The residual is the largest error left. False
+/// when there are blows ahead.
 bool resolve(ContactStep& step);
 
 /// Whether pieces pass each other between the ends of the step, which it could be divided for.

@@ -8,8 +8,8 @@ namespace sunder {
 
 /// Adds the contacts of spheres, driven and free, with faces and edges of pieces to
 /// `scratch.found`. Vertices meet spheres as points meet any obstacle: a sphere touches the one
-/// feature of the surface whose Voronoi region its centre is in. The centre moves on a straight line
-/// against each face, whose first touch is found by sphere tracing, so no speed is too high.
+/// feature of the surface with the Voronoi region around its centre. The centre moves on a straight
+/// line against each face. Sphere tracing finds the first touch at any speed.
 /// A centre that begins inside a piece is led to the nearest face.
 /// Needs: `scratch.surface` and `measure_balls`. `friction`: of the bodies. O(faces) for each sphere.
 void find_balls_on_pieces(DetectScratch& scratch, const StepPaths& paths, double friction);

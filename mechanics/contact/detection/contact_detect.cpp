@@ -26,7 +26,7 @@ bool is_near(const FirstTouch& touch, const Path& path) {
   return touch.gap_end < (path.end - path.start).norm();
 }
 
-/// Adds a contact whose sides are `end` apart at the end of the step.
+/// Adds a contact with sides that are `end` apart at the end of the step.
 void add(DetectScratch& scratch, ContactPoint contact, const FirstTouch& touch, const Vec3& end) {
   contact.normal = touch.normal;
   contact.gap_start = touch.gap_start;
@@ -125,7 +125,7 @@ void leave_out_seams(DetectScratch& scratch, const StepPaths& paths, double rim)
   scratch.found_gap.resize(kept);
 }
 
-/// Adds a contact of side A, told by `contact`, with another obstacle.
+/// Adds a contact of side A, as in `contact`, with another obstacle.
 void find_from_side_a(DetectScratch& scratch, const StepPaths& paths, ContactPoint contact,
                       const Shape& about_reference, double radius, double rim) {
   const ContactPath path = path_of(contact, paths);

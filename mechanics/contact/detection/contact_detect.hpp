@@ -60,7 +60,7 @@ struct DetectScratch {
   std::vector<Bounds> obstacle_ways;  ///< likewise row = obstacle: of its corners
   NearPairs near_edges;   ///< rows of `PieceSurface::edges`
   NearPairs near_solids;  ///< numbers of tetrahedra
-  std::vector<PairAxis> solid_axes;  ///< row = pair of `near_solids`: what decided it last
+  std::vector<PairAxis> solid_axes;  ///< row = pair of `near_solids`: the axis that decided it last
   std::vector<std::pair<VertexId, VertexId>> facing;  ///< of partners, both ways, sorted
   std::vector<ContactPoint> found;
   std::vector<double> found_gap;  ///< m, end of the step, in the tangent plane

@@ -25,7 +25,7 @@ constexpr double flat_sine = 0.02;
 /// An edge of a piece or of an obstacle on its way.
 struct MovingEdge {
   std::array<Vec3, 2> start, end;  ///< m, of its ends
-  std::array<Vec3, 2> beside;      ///< m, at the start: points of its faces beside it
+  std::array<Vec3, 2> beside;      ///< m, at the start: a point of each of its faces
   std::uint32_t besides = 0;       ///< how many of them
   std::uint32_t row = 0;           ///< of `surface.edges`, or the obstacle
   std::uint32_t number = 0;        ///< of an obstacle: `edge_at`
@@ -235,8 +235,8 @@ bool are_partners(const DetectScratch& scratch, const SurfaceEdge& a, const Surf
   });
 }
 
-/// Pairs of sharp edges of different pieces by their boxes at the start, widened by `beside`, on
-/// their ways if `moves`.
+/// Pairs of sharp edges of different pieces by their boxes at the start, wider by `beside` (m), and
+/// on their ways if `moves`.
 void find_pairs(std::vector<RowPair>& found, DetectScratch& scratch, const StepPaths& paths,
                 double beside, bool moves) {
   SolidPairs& pairs = scratch.solid_pairs;

@@ -127,7 +127,7 @@ bool detect_contacts(ContactStep& step) {
   }
   find_contacts(scratch, step.memory, paths_of(step), step.settings);
   if (step.is_wave() && may_overlap(paths_of(step), step.settings)) {
-    // Few passes follow in a sub-step: what would come in the last of a whole step comes at once.
+    // A whole step looks for overlaps in its last passes; a sub-step has few passes and looks at once.
     find_overlaps(scratch, paths_of(step), step.settings, 0);
   }
   if (step.look == ContactStep::Look::resting) leave_to_next_pass(step);

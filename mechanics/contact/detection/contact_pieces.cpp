@@ -122,7 +122,7 @@ std::vector<Resting> gather_swept(std::vector<FaceTouch>& touches, const DetectS
     const ComponentId other = paths.state.elements.component[t.index()];
     if (gap <= band) resting.push_back({v, other, gap < 0});
     if (gap < 0) continue;
-    // What boxes on long ways find beyond depends on the axes.
+    // Boxes on long ways find farther touches or not, by how they lie to the axes.
     const double farthest = scratch.beside_share * scratch.radius[t.index()];
     add_touches(touches, scratch, paths, pair, near, [&](HalfFaceId face) {
       std::optional<FaceTouch> touch = swept_touch(paths, v, face);

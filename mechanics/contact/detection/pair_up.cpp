@@ -83,8 +83,8 @@ void pair_up_by_boxes(DetectScratch& scratch, const StepPaths& paths) {
 
 }  // namespace
 
-/// Every pair whose paths come within a radius of each other lies, half-way, within the radius and
-/// half their relative motion. Where that is more than two radii, boxes on their ways are smaller.
+/// Every pair with paths that come within a radius of each other lies, half-way, within the radius
+/// and half their relative motion. Where that is more than two radii, boxes on their ways are smaller.
 void pair_up(DetectScratch& scratch, const StepPaths& paths) {
   const std::vector<Vec3>& start = paths.state.vertices.position;
   const std::size_t points = start.size(), all = points + paths.corner.size();

@@ -37,12 +37,12 @@ void pair_on_ways(DetectScratch& scratch, const StepPaths& paths);
 /// Whether all that may meet in the step is among pairs found before.
 bool still_holds(const NearPairs& pairs, const PieceSurface& surface, const StepPaths& paths);
 
-/// Begins pairs anew, from the places as the step begins. True where they can be kept for steps to
-/// come, if boxes are widened by half of the margin: in short sub-steps.
+/// Begins new pairs, from the places as the step begins. True in short sub-steps: later steps can
+/// keep the pairs, if boxes are wider by half of the margin.
 bool keep_from_here(NearPairs& pairs, const PieceSurface& surface, const StepPaths& paths);
 
-/// Numbers of tetrahedra on the surfaces of different pieces whose boxes may meet as the step ends,
-/// in `scratch.near_solids`; rows of `scratch.solid_axes` are theirs. Needs: `scratch.surface`.
+/// Pairs of tetrahedra on the surfaces of different pieces with boxes that may meet as the step
+/// ends, by their numbers, in `scratch.near_solids`; rows of `scratch.solid_axes` are theirs. Needs: `scratch.surface`.
 const std::vector<RowPair>& pairs_at_end(DetectScratch& scratch, const StepPaths& paths);
 
 /// Tetrahedra of members with their boxes as the step ends, into `scratch.solid_pairs`.

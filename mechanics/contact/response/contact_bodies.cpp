@@ -236,7 +236,7 @@ ContactEnd vertex_end(const ContactBodies& bodies, const ContactPass& pass, Vert
 
 /// Nodes of a component by their shares; `sign`: 1 on side A, -1 on side B. All have the arm of
 /// `place`, where side A is: both sides then feel the same line of action, and angular momentum is
-/// conserved exactly. What the nodes' own moment falls short of that is rigid and deforms nothing.
+/// conserved exactly. The rest of that moment, beyond the nodes' own, is rigid and deforms nothing.
 void add_node_ends(Constraint& row, const TouchedNodes& nodes, ComponentId id, double sign,
                    const Vec3& place, const ContactBodies& bodies, const ContactPass& pass) {
   const Component& component = pass.state.components[id.index()];

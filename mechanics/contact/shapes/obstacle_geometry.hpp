@@ -117,7 +117,7 @@ Vec3 corner_at(const Shape& shape, std::uint32_t corner);
 /// Number of edges at which a shape is sharp: 12 of a box, `sharp_edges` of a mesh.
 std::size_t edge_count(const Shape& shape);
 
-/// One of them: its ends, and a corner of each of the two faces beside it.
+/// One of them: its ends, and a further corner of each of its two faces.
 SolidSurface::Edge edge_at(const Shape& shape, std::uint32_t edge);
 
 /// Points of a mesh that are joined to one by an edge.

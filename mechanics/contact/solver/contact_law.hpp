@@ -15,8 +15,8 @@ bool contact_pushes(const Constraint& row, const RowResponse& response);
 /// (`ContactConstraint::push`).
 double contact_give(const Constraint& row, const RowResponse& response);
 
-/// N s: least and most normal impulse, so that a push at work stays one, and what presses more
-/// does.
+/// N s: least and most normal impulse. A push at work stays at work within them, and one that is
+/// overcome stays overcome.
 std::array<double, 2> contact_bounds(const Constraint& row, const RowResponse& response);
 
 /// The impulse nearest to `impulse` that a contact can have: inside its bounds and its disk.

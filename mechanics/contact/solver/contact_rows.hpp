@@ -95,7 +95,7 @@ struct Constraint {
   std::uint32_t side_count = 0;
   Vec3 normal{0, 0, 1};
   Vec3 slip{0, 0, 0};     ///< m: relative displacement over the step with the impulse as it is
-  double compliance = 0;  ///< m/(N s): give of the row itself, beside that of its bodies
+  double compliance = 0;  ///< m/(N s): give of the row itself, without that of its bodies
   Vec3 impulse{0, 0, 0};  ///< N s; in: what it is, out: what it should be
   Vec3 guess{0, 0, 0};    ///< N s: a change to begin with, say what the last step needed
   std::variant<ContactConstraint, CohesiveBond> law;

@@ -285,8 +285,8 @@ std::vector<RowResponse> respond(std::span<Constraint> rows, std::span<const Res
   return responses;
 }
 
-/// Whether the solve may end after a round, by what its last sweep and the disks (`moved`, m) have
-/// changed.
+/// Whether the solve may end after a round, by the changes of its last sweep and of the disks
+/// (`moved`, m).
 void judge_round(SolveOutcome& outcome, double moved, Stall& stall, const SolveLimits& limits) {
   outcome.residual = std::max(outcome.residual, moved);
   outcome.stalled =
@@ -294,11 +294,11 @@ void judge_round(SolveOutcome& outcome, double moved, Stall& stall, const SolveL
   outcome.converged = outcome.residual <= limits.tolerance || outcome.stalled;
 }
 
-/// Solves for what is free, where iterations are left for that. False: there are none.
+/// Solves for the free parts of impulses, if iterations are left for that. False: there are none.
 bool spend_on_subspace(SolveOutcome& outcome, const RowSolve& solve, const SolveLimits& limits) {
   const int left = limits.max_iterations - outcome.iterations - 1;
   if (left <= 1) return false;
-  // Where few sweeps are allowed they find what is free sooner.
+  // Where few sweeps are allowed, the sweeps find the free parts sooner.
   const bool again = left > 64;
   outcome.iterations += solve_subspace(solve, std::min(24, left), again);
   return true;
@@ -360,7 +360,7 @@ SolveOutcome solve_contacts(std::span<Constraint> rows, std::span<RespondingBody
     add_impulse(row, bodies, row.guess);
     row.impulse += row.guess;
   }
-  // What a wedge pressed with in the last step must not be where this one begins.
+  // The impulses of a wedge in the last step are no start for this one.
   if (gives_energy(solve, energy)) start_from_nothing(solve);
   SolveOutcome outcome = sweep_in_rounds(solve, limits);
   keep_to_cones(solve);

@@ -200,8 +200,8 @@ Impulses response_to(Subspace& s, const Impulses& impulses) {
   return moved;
 }
 
-/// Gradient of the energy by the impulse of a contact whose sides have `moved` (m): gap along the
-/// normal, slip across.
+/// Gradient of the energy by the impulse of a contact: gap along the normal, slip across. `moved`:
+/// m, of its sides.
 Vec3 gradient_of_contact(const Constraint& row, const RowResponse& response, const Vec3& moved) {
   const Vec3& n = row.normal;
   const double pressed = n.dot(row.impulse);

@@ -49,7 +49,7 @@ RowResponse response_of(const Constraint& row, std::span<const RespondingBody> b
   const ContactConstraint& contact = row.contact();
   own.normal_response = row.normal.dot(own.response * row.normal) + row.compliance;
   own.tangential_response = tangential_response(own.response, row.normal);
-  // A hundred times what would push the two sides apart were they free: it lifts what rests.
+  // A push lifts bodies that rest: a hundred times the impulse that parts two free sides.
   own.push_most = own.normal_response > 0 ? 100 * contact.push / own.normal_response : 0;
   own.disk = contact.disk;
   return own;

@@ -8,7 +8,7 @@
 
 namespace sunder {
 
-/// How a row responds, and what the solver lets its friction be. Responses are in m/(N s).
+/// The responses of a row, in m/(N s), and the bounds of its friction within the solve.
 struct RowResponse {
   Mat3 response = Mat3::Zero();  ///< displacement of side A against B for an impulse of the row
   Mat3 give = Mat3::Zero();      ///< the elastic part of `response`
@@ -17,7 +17,7 @@ struct RowResponse {
   double normal_response = 0;      ///< along the normal, compliance included
   double push_most = 0;            ///< N s: with that pressed, nothing pushes any more
   double tangential_response = 0;  ///< the largest eigenvalue in the contact plane
-  double disk = 0;                 ///< N s: what friction may be in the sweeps at hand
+  double disk = 0;                 ///< N s: most friction in the sweeps at hand
   double disk_change = 0;          ///< N s: by which the disk should have changed last
   double disk_share = 1;           ///< no unit: how much of such a change is made
 };

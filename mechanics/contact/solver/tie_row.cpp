@@ -13,7 +13,7 @@ double pull_of(const Constraint& row, const Vec3& impulse) { return -row.normal.
 
 Vec3 across(const Constraint& row, const Vec3& v) { return v - row.normal.dot(v) * row.normal; }
 
-/// Squared length in the metric of `bond_kept`, without what presses.
+/// Squared length in the metric of `bond_kept`, without pressure.
 double squared_pull(const Constraint& row, const Vec3& impulse) {
   const double pull = std::max(0.0, pull_of(row, impulse));
   return pull * pull + across(row, impulse).squaredNorm() / row.bond().sliding_stiffness;

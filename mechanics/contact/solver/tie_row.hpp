@@ -16,7 +16,7 @@
 
 namespace sunder {
 
-/// The whole opening that a bond goes by, m: with the impulse as it is, plus what was moved since.
+/// m, the whole opening of a bond: with the impulse as it is, plus the motion since.
 inline Vec3 opening_of(const Constraint& row, const Vec3& moved) { return row.slip + moved; }
 
 /// Give of a bond for its impulse as it is, m/(N s): that of the secant, none along the normal

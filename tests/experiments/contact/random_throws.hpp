@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Random solids thrown at each other: what a seed draws, and the scene of it.
+// Random solids thrown at each other: the figures of a seed, and their scene.
 #pragma once
 
 #include <array>

@@ -83,7 +83,7 @@ def scene(chance, folder, breaks):
 
 
 def faults_of(args, folder):
-    """What is wrong with a scene's run."""
+    """The faults of a scene's run."""
     out = folder / "out"
     run = subprocess.run([args.program, "run", folder / "scene.json", "-o", out, "--force", "--frame-interval", "1e-9"],
                          capture_output=True, text=True, timeout=600)

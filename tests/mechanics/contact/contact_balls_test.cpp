@@ -109,7 +109,7 @@ TEST_CASE("a ball meets one feature of a flat surface, and both sides of a groov
 }
 
 TEST_CASE("a ball that slides off the face it met overlaps nothing", "[mechanics][contact]") {
-  // The step ends below the face, far beside the block.
+  // The step ends below the face, far from the block.
   ContactScene scene = ball_and_block({{0.45, 0, 0.62}, 0.1}, Vec3(100, 0, -20), {2, 2, 2});
   scene.integrator.time_step = 0.05;
   const ContactStepResult result = scene.step();

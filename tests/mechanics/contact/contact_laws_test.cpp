@@ -15,7 +15,7 @@ using namespace sunder::test;
 
 namespace {
 
-/// What a law changes before a scene begins. Times stay.
+/// The changes of a law to a scene. Times stay.
 struct Change {
   double length = 1;             ///< factor of lengths, and so of speeds
   double density = 1;            ///< factor
@@ -259,7 +259,7 @@ struct Twins {
                                         impulses_of(b, other.body.corners), change, sum));
   }
 
-  /// Whether the bodies tell what impulses they need. Three contacts in a line, as along the edge
+  /// Whether the bodies determine their impulses. Three contacts in a line, as along the edge
   /// of a plate, share pressure and friction in many ways. A solve without an end is no answer.
   bool is_determined(const Moment& a, const Moment& b) const {
     if (one.contact.method == ContactMethod::penalty) return true;
@@ -267,7 +267,7 @@ struct Twins {
   }
 };
 
-/// What a law did on many seeds.
+/// The outcomes of a law on many seeds.
 struct Tally {
   int met = 0, compared = 0;
   double worst = 0;

@@ -12,7 +12,7 @@ using namespace sunder::test;
 
 namespace {
 
-/// A long rotor that spins about z, and a peg beside it that its end comes to.
+/// A long rotor that spins about z, and a peg that its end comes to.
 ContactScene rotor_and_peg(double turn_per_step, double step) {
   Body peg = kuhn_block({1, 1, 1}, {0.1, 0.1, 0.5});
   for (Vec3& x : peg.rest) x += Vec3(0, 0.45, 0);

@@ -53,8 +53,8 @@ struct ContactScene {
   ContactStepResult step(const StepPart& part = {}) { return take(part, integrator.time_step); }
 
   /// One step, in parts of one length if pieces would pass each other in it, as the plan of a
-  /// simulation divides it (fracture/simulation/plan.cpp). Gives the last part, with what all parts
-  /// found: their deepest overlap and number of contacts. `observe()` is called after each part.
+  /// simulation divides it (fracture/simulation/plan.cpp). Gives the last part, with the deepest
+  /// overlap and the most contacts of all parts. `observe()` is called after each part.
   template <class Observe>
   ContactStepResult step_in_parts(Observe observe) {
     int parts = 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bodies that slide over what lies flush: boxes, meshes, gaps narrower than anything counts.
+// Bodies slide over flush boxes and meshes, and over gaps too narrow to count.
 #include <catch2/catch.hpp>
 
 #include "mechanics/contact/shapes/solid_surface.hpp"
@@ -34,7 +34,7 @@ Obstacle mesh_between(double low, double high) {
   return obstacle;
 }
 
-/// A cube of 0.1 m on the first of the obstacles, whose tops are at z = 0.
+/// A cube of 0.1 m on the first of the obstacles; all tops are at z = 0.
 ContactScene sliding_cube(double speed, double step, bool rigid) {
   Body cube = kuhn_block({2, 2, 2}, {0.1, 0.1, 0.1});
   for (Vec3& x : cube.rest) x += Vec3(-0.2, 0.03, 0.05);

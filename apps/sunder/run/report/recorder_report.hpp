@@ -41,8 +41,8 @@ struct RunStatistics {
   /// Steps with contact, with contact that did not converge, with sub-steps, and those that reached
   /// `ImpactSettings::max_sub_steps`.
   std::size_t contact_steps = 0, unconverged_steps = 0, impact_steps = 0, stopped_steps = 0;
-  /// Of contact that did not converge the worst gap error, m, what was tolerated there, m, the error
-  /// of a force, N, and the step.
+  /// Of contact that did not converge: the worst gap error, m, the error tolerated in that step, m,
+  /// the error of a force, N, and the step.
   double worst_residual = 0, tolerated = 0, force_error = 0;
   std::uint64_t worst_step = 0;
   /// Of an integrator's step, for any component.

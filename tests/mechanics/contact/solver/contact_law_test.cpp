@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The law of contacts alone: what is kept against a search, and ways to its bounds.
+// The law of contacts alone: kept impulses against a search, and ways to bounds.
 #include "mechanics/contact/solver/contact_law.hpp"
 
 #include <catch2/catch.hpp>

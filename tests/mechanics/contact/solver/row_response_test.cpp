@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a solve knows of each row when it begins, against unit impulses and an eigenvalue solver.
+// Responses of rows against unit impulses and an eigenvalue solver.
 #include "mechanics/contact/solver/row_response.hpp"
 
 #include <catch2/catch.hpp>
