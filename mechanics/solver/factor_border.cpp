@@ -106,6 +106,8 @@ bool grow_corner(BorderFactor& part, const BorderFactor::Block& block,
   const Eigen::LLT<Eigen::MatrixXd> llt(own);
   if (llt.info() != Eigen::Success || !own.allFinite()) return false;
   part.corner.block(old, 0, more, old) = above.transpose();
+  // Saved states hold it whole.
+  part.corner.block(0, old, old, more).setZero();
   part.corner.block(old, old, more, more) = llt.matrixL();
   return true;
 }
