@@ -5,7 +5,7 @@
 
 #include "mechanics/contact/contact_step.hpp"
 #include "mechanics/contact/detection/contact_overlaps.hpp"
-#include "mechanics/contact/detection/solid_pairs.hpp"
+#include "mechanics/contact/detection/pairs/solid_pairs.hpp"
 #include "mechanics/contact/shapes/obstacle_geometry.hpp"
 
 namespace sunder {

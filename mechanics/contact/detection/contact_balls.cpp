@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "mechanics/contact/detection/face_touch.hpp"
-#include "mechanics/contact/detection/solid_pairs.hpp"
+#include "mechanics/contact/detection/pairs/solid_pairs.hpp"
 #include "mechanics/contact/shapes/nearest_point.hpp"
 
 namespace sunder {

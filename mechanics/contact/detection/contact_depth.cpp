@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "mechanics/contact/detection/solid_pairs.hpp"
+#include "mechanics/contact/detection/pairs/solid_pairs.hpp"
 #include "mechanics/contact/shapes/nearest_point.hpp"
 #include "mechanics/contact/shapes/obstacle_geometry.hpp"
 

@@ -13,6 +13,7 @@
 #include "mechanics/contact/detection/contact_edges.hpp"
 #include "mechanics/contact/detection/contact_partners.hpp"
 #include "mechanics/contact/detection/contact_pieces.hpp"
+#include "mechanics/contact/detection/pairs/solid_pairs.hpp"
 #include "mechanics/contact/shapes/nearest_point.hpp"
 #include "mechanics/contact/shapes/obstacle_geometry.hpp"
 #include "topology/base/assert.hpp"
@@ -235,6 +236,7 @@ void find_contacts(DetectScratch& scratch, const ContactMemory& memory, const St
   measure_balls(scratch, paths, 1);
   update_surface(scratch.surface, paths.state.elements, paths.corners, paths.neighbours,
                  paths.state.vertices.size());
+  update_near(scratch, paths);
   if (among_pieces || !with_corners.corner.empty()) {
     find_between_pieces(scratch, with_corners, settings, among_pieces);
   }

@@ -10,6 +10,7 @@
 #include "mechanics/contact/shapes/box_pairs.hpp"
 #include "mechanics/contact/shapes/contact_pairs.hpp"
 #include "mechanics/contact/shapes/manifold.hpp"
+#include "mechanics/contact/detection/pairs/near_pairs.hpp"
 #include "mechanics/contact/shapes/piece_surface.hpp"
 #include "mechanics/state/pose.hpp"
 
@@ -32,14 +33,6 @@ struct SolidPairs {
   BoxScratch grid;
 };
 
-/// Pairs of different pieces that may meet while no vertex moves far from `position`.
-struct NearPairs {
-  std::vector<RowPair> found;
-  std::vector<Vec3> position;  ///< |V|, m
-  std::uint64_t version = 0;   ///< of the surface; 0: of none
-  double margin = 0;           ///< m: vertices may move by half of it
-};
-
 /// Buffers of detection, kept from step to step.
 struct DetectScratch {
   GridScratch grid;
@@ -58,9 +51,15 @@ struct DetectScratch {
   SolidPairs solid_pairs;
   std::vector<Bounds> edge_boxes;  ///< row = edge of the surface: on its way, widened
   std::vector<Bounds> obstacle_ways;  ///< likewise row = obstacle: of its corners
-  NearPairs near_edges;   ///< rows of `PieceSurface::edges`
-  NearPairs near_solids;  ///< numbers of tetrahedra
-  std::vector<PairAxis> solid_axes;  ///< row = pair of `near_solids`: the axis that decided it last
+  Travel travel;
+  std::vector<std::uint64_t> shape;  ///< row = component: changes with its surface
+  std::uint64_t shape_version = 0;   ///< of the surface that these two are of
+  double mean_edge = 0;              ///< m, of the surface as it was searched last
+  NearPairs near_edges;              ///< by numbers of edges (`refresh_edges`)
+  NearPairs near_solids;             ///< by numbers of tetrahedra
+  std::vector<std::uint32_t> edge_row;  ///< row of `PieceSurface::edges`, by numbers (`refresh_edges`)
+  std::uint64_t edge_row_version = 0;   ///< of the surface that these are of
+  std::vector<RowPair> swept;           ///< pairs of the step at hand, where ways are long
   std::vector<std::pair<VertexId, VertexId>> facing;  ///< of partners, both ways, sorted
   std::vector<ContactPoint> found;
   std::vector<double> found_gap;  ///< m, end of the step, in the tangent plane

@@ -8,8 +8,8 @@
 #include <optional>
 
 #include "mechanics/contact/detection/contact_partners.hpp"
-#include "mechanics/contact/detection/face_touch.hpp"
-#include "mechanics/contact/detection/solid_pairs.hpp"
+#include "mechanics/contact/detection/pairs/edge_pairs.hpp"
+#include "mechanics/contact/detection/pairs/solid_pairs.hpp"
 #include "mechanics/contact/shapes/box_pairs.hpp"
 #include "mechanics/contact/shapes/obstacle_geometry.hpp"
 #include "mechanics/contact/shapes/solid_surface.hpp"
@@ -19,8 +19,6 @@ namespace {
 
 /// Share of an edge at either end that is left to its vertex.
 constexpr double end_share = 0.02;
-/// Sine of the angle between two faces, or two edges, below which they count as one plane or line.
-constexpr double flat_sine = 0.02;
 
 /// An edge of a piece or of an obstacle on its way.
 struct MovingEdge {
@@ -45,14 +43,6 @@ struct EdgeTouch {
   double share_a = 0, share_b = 0;    ///< of the ways along the edges
   double gap_start = 0, gap_end = 0;  ///< m
 };
-
-/// Whether a piece is convex at an edge, by more than about a degree.
-bool is_sharp(const StepPaths& paths, const SurfaceEdge& edge) {
-  if (edge.face[1].is_none()) return true;
-  const std::array<Vec3, 3> x = places_at(paths, corners_of(paths, edge.face[0]), 0);
-  const Vec3 beside = paths.at_start(edge.beside[1]) - paths.at_start(edge.end[0]);
-  return normal_of(x).dot(beside) < -flat_sine * beside.norm();
-}
 
 MovingEdge moving_edge(const StepPaths& paths, const SurfaceEdge& edge, std::uint32_t row) {
   MovingEdge moving{.row = row};
@@ -235,49 +225,6 @@ bool are_partners(const DetectScratch& scratch, const SurfaceEdge& a, const Surf
   });
 }
 
-/// Pairs of sharp edges of different pieces by their boxes at the start, wider by `beside` (m), and
-/// on their ways if `moves`.
-void find_pairs(std::vector<RowPair>& found, DetectScratch& scratch, const StepPaths& paths,
-                double beside, bool moves) {
-  SolidPairs& pairs = scratch.solid_pairs;
-  pairs.boxes.clear();
-  pairs.body.clear();
-  pairs.ways.clear();
-  std::vector<std::uint32_t> rows;
-  pairs.moves.assign(paths.state.components.size(), 1);
-  for (std::uint32_t row = 0; row < scratch.surface.edges.size(); ++row) {
-    const SurfaceEdge& own = scratch.surface.edges[row];
-    if (!is_sharp(paths, own) || (moves && !is_member(paths, own))) continue;
-    const MovingEdge edge = moving_edge(paths, own, row);
-    Vec3 way = Vec3::Zero(), wide = Vec3::Constant(beside);
-    if (moves) {
-      way = 0.5 * (edge.end[0] - edge.start[0] + edge.end[1] - edge.start[1]);
-      const Vec3 turned = edge.end[0] - edge.start[0] - way;
-      // Edges that turn that far go on no straight ways: overlaps are found as the step ends.
-      if (turned.norm() > edge.along(0).norm()) continue;
-      wide += turned.cwiseAbs();
-    }
-    pairs.boxes.push_back({edge.start[0].cwiseMin(edge.start[1]) - wide,
-                           edge.start[0].cwiseMax(edge.start[1]) + wide});
-    pairs.ways.push_back(way);
-    pairs.body.push_back(paths.state.vertices.component[own.end[0].index()].value);
-    rows.push_back(row);
-  }
-  find_box_pairs(pairs.found, pairs.grid, {pairs.boxes, pairs.body, pairs.moves, pairs.ways});
-  found.clear();
-  for (const auto& [a, b] : pairs.found) found.emplace_back(rows[a], rows[b]);
-}
-
-/// Rows of edges that may meet in the step.
-const std::vector<RowPair>& pairs_of_edges(DetectScratch& scratch, const StepPaths& paths,
-                                           double band) {
-  NearPairs& near = scratch.near_edges;
-  if (still_holds(near, scratch.surface, paths)) return near.found;
-  const bool keeps = keep_from_here(near, scratch.surface, paths);
-  find_pairs(near.found, scratch, paths, 10 * band + (keeps ? 0.5 * near.margin : 0), !keeps);
-  return near.found;
-}
-
 /// Row = edge of the surface: the boxes around their ways, widened.
 void box_edges(std::vector<Bounds>& boxes, const std::vector<SurfaceEdge>& edges,
                const StepPaths& paths, double beside) {
@@ -323,10 +270,31 @@ void find_between_edges(DetectScratch& scratch, const StepPaths& paths,
     });
   }
   if (!has_several_pieces(paths, settings)) return;
-  for (const auto& [a, b] : pairs_of_edges(scratch, paths, band)) {
+  if (!keeps_pairs(scratch)) {
+    find_swept_edges(scratch, paths, 10 * band);
+    for (const auto& [a, b] : scratch.swept) {
+      if (!boxes[a].overlaps(boxes[b]) || are_partners(scratch, edges[a], edges[b])) continue;
+      meet_edges(moving_edge(paths, edges[a], a), moving_edge(paths, edges[b], b));
+    }
+    return;
+  }
+  refresh_edges(scratch, paths, 10 * band);
+  const Travel& travel = scratch.travel;
+  for (NearPair& pair : scratch.near_edges.found) {
+    if (!is_due(pair, travel)) continue;
+    if (!paths.members.has(ComponentId{pair.body_a}) || !paths.members.has(ComponentId{pair.body_b}))
+      continue;
+    const std::uint32_t a = scratch.edge_row[pair.a], b = scratch.edge_row[pair.b];
+    pair.facing = 0;
+    pair.quiet = travel.start_of(pair.body_a, pair.body_b) +
+                 distance_at_start(paths, edges[a], edges[b]) - 10 * band;
+    if (!is_due(pair, travel)) continue;
+    if (are_partners(scratch, edges[a], edges[b])) {
+      pair.facing = 1 + travel.parted[pair.body_a] + travel.parted[pair.body_b];
+      continue;
+    }
     if (!boxes[a].overlaps(boxes[b])) continue;
-    if (!is_member(paths, edges[a]) || !is_member(paths, edges[b])) continue;
-    if (are_partners(scratch, edges[a], edges[b])) continue;
+    if (!is_sharp(paths, edges[a]) || !is_sharp(paths, edges[b])) continue;
     meet_edges(moving_edge(paths, edges[a], a), moving_edge(paths, edges[b], b));
   }
 }

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "mechanics/contact/detection/solid_pairs.hpp"
+#include "mechanics/contact/detection/pairs/solid_pairs.hpp"
 #include "mechanics/contact/shapes/manifold.hpp"
 #include "mechanics/contact/shapes/nearest_point.hpp"
 #include "mechanics/contact/shapes/obstacle_geometry.hpp"
@@ -87,35 +87,65 @@ bool begins_inside(const StepPaths& paths, TetId a, TetId b) {
   return common_gap(p, q, p, q, least) < least;
 }
 
+/// Two tetrahedra that may overlap as the step ends, and the axis that decided them last.
+void find_overlap(DetectScratch& scratch, const StepPaths& paths, const ContactSettings& settings,
+                  std::uint8_t pass, TetId a, TetId b, PairAxis& axis, double& apart) {
+  const Places x = places_at_end(paths, a), y = places_at_end(paths, b);
+  const Bounds p = sunder::bounds_of(x), q = sunder::bounds_of(y);
+  apart = (p.low - q.high).cwiseMax(q.low - p.high).maxCoeff();
+  if (apart > 0) return;
+  const Polytope one = make_tetrahedron(x, outer_faces(paths, a));
+  const Polytope other = make_tetrahedron(y, outer_faces(paths, b));
+  const Manifold patch = collide(one, other, {}, axis);
+  if (patch.count == 0) {
+    apart = separation_along(one, other, axis);
+    return;
+  }
+  const double least = least_overlap(settings, pass, std::min(mean_edge(x), mean_edge(y)));
+  const auto count = static_cast<std::size_t>(patch.count);
+  const auto begin = patch.point.begin(), end = begin + patch.count;
+  const bool is_deep = std::any_of(
+      begin, end, [&](const Manifold::Point& point) { return point.separation < -least; });
+  if (!is_deep || are_partners(scratch, paths, a, b) || begins_inside(paths, a, b)) return;
+  for (std::size_t k = 0; k < count; ++k) {
+    if (patch.point[k].separation >= 0) continue;
+    add(scratch, paths, a, b, patch.normal, patch.point[k], pass, static_cast<std::uint8_t>(k),
+        settings.friction);
+  }
+}
+
+/// Overlaps of pieces as the step ends.
+void find_solid_overlaps(DetectScratch& scratch, const StepPaths& paths,
+                         const ContactSettings& settings, std::uint8_t pass) {
+  update_near(scratch, paths);
+  double apart = 0;
+  if (!keeps_pairs(scratch)) {
+    pair_at_end(scratch, paths);
+    for (const auto& [a, b] : scratch.swept) {
+      PairAxis axis;
+      find_overlap(scratch, paths, settings, pass, TetId{a}, TetId{b}, axis, apart);
+    }
+    return;
+  }
+  refresh_solids(scratch, paths);
+  const Travel& travel = scratch.travel;
+  for (NearPair& pair : scratch.near_solids.found) {
+    const double end = travel.end_of(pair.body_a, pair.body_b);
+    if (end < pair.quiet) continue;
+    if (!paths.members.has(ComponentId{pair.body_a}) || !paths.members.has(ComponentId{pair.body_b}))
+      continue;
+    find_overlap(scratch, paths, settings, pass, TetId{pair.a}, TetId{pair.b}, pair.axis, apart);
+    // They are as far apart as the step ends, and began no nearer than that less its ways.
+    const double start = travel.start_of(pair.body_a, pair.body_b);
+    pair.quiet = start + std::max(0.0, apart) - (end - start);
+  }
+}
+
 }  // namespace
 
 void find_overlaps(DetectScratch& scratch, const StepPaths& paths, const ContactSettings& settings,
                    std::uint8_t pass) {
-  const std::vector<RowPair>& pairs = pairs_at_end(scratch, paths);
-  for (std::size_t row = 0; row < pairs.size(); ++row) {
-    const TetId a{pairs[row].first}, b{pairs[row].second};
-    const auto is_member = [&](TetId t) {
-      return paths.members.has(paths.state.elements.component[t.index()]);
-    };
-    const Places x = places_at_end(paths, a), y = places_at_end(paths, b);
-    if (!bounds_of(x).overlaps(bounds_of(y)) || !is_member(a) || !is_member(b)) continue;
-    const Manifold patch =
-        collide(make_tetrahedron(x, outer_faces(paths, a)),
-                make_tetrahedron(y, outer_faces(paths, b)), {}, scratch.solid_axes[row]);
-    if (patch.count == 0) continue;
-    const double least =
-        least_overlap(settings, pass, std::min(mean_edge(x), mean_edge(y)));
-    const auto count = static_cast<std::size_t>(patch.count);
-    const auto begin = patch.point.begin(), end = begin + patch.count;
-    const bool is_deep = std::any_of(
-        begin, end, [&](const Manifold::Point& p) { return p.separation < -least; });
-    if (!is_deep || are_partners(scratch, paths, a, b) || begins_inside(paths, a, b)) continue;
-    for (std::size_t k = 0; k < count; ++k) {
-      if (patch.point[k].separation >= 0) continue;
-      add(scratch, paths, a, b, patch.normal, patch.point[k], pass,
-          static_cast<std::uint8_t>(k), settings.friction);
-    }
-  }
+  find_solid_overlaps(scratch, paths, settings, pass);
   const std::vector<BallWay> balls = moving_balls(paths);
   if (!balls.empty()) box_at_end(scratch, paths);
   for (BallWay ball : balls) {

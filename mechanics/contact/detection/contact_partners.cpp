@@ -142,6 +142,7 @@ void update_partners(ContactMemory& memory, DetectScratch& scratch, const StepPa
     return component_of(paths, p.face) != component_of(paths, p.opposite) &&
            among_members(paths, p) && is_apart(paths, p);
   });
+  std::vector<std::pair<VertexId, VertexId>> before = std::move(scratch.facing);
   scratch.facing.clear();
   for (const Partner& p : memory.partners) {
     for_each_pair(paths, p, [&](NodePlace own, NodePlace other) {
@@ -152,6 +153,13 @@ void update_partners(ContactMemory& memory, DetectScratch& scratch, const StepPa
     });
   }
   sort_unique(scratch.facing);
+  if (before == scratch.facing) return;
+  std::vector<std::pair<VertexId, VertexId>> lost;
+  std::ranges::set_difference(before, scratch.facing, std::back_inserter(lost));
+  scratch.travel.parted.resize(paths.state.components.size(), 0);
+  for (const auto& [a, b] : lost) {
+    ++scratch.travel.parted[paths.state.vertices.component[a.index()].index()];
+  }
 }
 
 bool faces(const DetectScratch& scratch, const SpherePair& pair, const StepPaths& paths) {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "mechanics/contact/detection/contact_overlaps.hpp"
-#include "mechanics/contact/detection/solid_pairs.hpp"
+#include "mechanics/contact/detection/pairs/solid_pairs.hpp"
 #include "mechanics/contact/shapes/nearest_point.hpp"
 #include "mechanics/frame/rotation.hpp"
 

@@ -54,21 +54,32 @@ EdgeAxis edge_axis(const Polytope& a, std::size_t i, const Polytope& b, std::siz
   return crossing(a, i, b, j);
 }
 
-/// Whether an axis keeps two solids apart.
-bool parts(const Polytope& a, const Polytope& b, const Approach& approach, const PairAxis& axis) {
+/// Along an axis: how far two solids are apart (m), and the way out of A.
+struct AxisGap {
+  double separation = -infinite;
+  Vec3 out_of_a{0, 0, 0};
+};
+
+AxisGap gap_along(const Polytope& a, const Polytope& b, const PairAxis& axis) {
   switch (axis.kind) {
     case PairAxis::Kind::face_of_a:
-      return face_separation(a, axis.a, b) > approach.along(a.normal[axis.a]);
+      return {face_separation(a, axis.a, b), a.normal[axis.a]};
     case PairAxis::Kind::face_of_b:
-      return face_separation(b, axis.b, a) > approach.along(-b.normal[axis.b]);
+      return {face_separation(b, axis.b, a), -b.normal[axis.b]};
     case PairAxis::Kind::edges: {
       const EdgeAxis edge = edge_axis(a, axis.a, b, axis.b);
-      return edge.crosses && edge.separation > approach.along(edge.normal);
+      return edge.crosses ? AxisGap{edge.separation, edge.normal} : AxisGap{};
     }
     case PairAxis::Kind::none:
       break;
   }
-  return false;
+  return {};
+}
+
+/// Whether an axis keeps two solids apart.
+bool parts(const Polytope& a, const Polytope& b, const Approach& approach, const PairAxis& axis) {
+  const AxisGap gap = gap_along(a, b, axis);
+  return gap.separation > approach.along(gap.out_of_a);
 }
 
 /// A convex polygon of up to four corners, cut by up to four planes.
@@ -324,6 +335,10 @@ Manifold collide_ball(const Vec3& centre, double radius, const Polytope& b,
   p.separation = m.normal.dot(p.on_a - p.on_b);
   m.count = p.separation <= approach.along(-m.normal) ? 1 : 0;
   return m;
+}
+
+double separation_along(const Polytope& a, const Polytope& b, const PairAxis& axis) {
+  return gap_along(a, b, axis).separation;
 }
 
 double separation_by_all_axes(const Polytope& a, const Polytope& b) {

@@ -42,6 +42,9 @@ struct Approach {
 /// of a body separates them best: then it is for that body's other parts to meet. Of overlapping solids the normal is that of least overlap.
 Manifold collide(const Polytope& a, const Polytope& b, const Approach& approach, PairAxis& last);
 
+/// m: how far an axis keeps two solids apart; they are no nearer. Negative: it does not.
+double separation_along(const Polytope& a, const Polytope& b, const PairAxis& axis);
+
 /// The same of a ball, whose side is A: one point at most.
 Manifold collide_ball(const Vec3& centre, double radius, const Polytope& b,
                       const Approach& approach);

@@ -6,7 +6,7 @@
 #include <catch2/catch.hpp>
 #include <random>
 
-#include "mechanics/contact/detection/solid_pairs.hpp"
+#include "mechanics/contact/detection/pairs/solid_pairs.hpp"
 #include "mechanics/contact/shapes/manifold.hpp"
 #include "mechanics/contact/shapes/nearest_point.hpp"
 #include "tests/mechanics/contact/contact_scene.hpp"

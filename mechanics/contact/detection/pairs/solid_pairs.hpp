@@ -34,16 +34,22 @@ Vec3 turn_between(const Eigen::Quaterniond& from, const Eigen::Quaterniond& to);
 /// `scratch.solid_pairs`. Needs: `scratch.surface`, `measure_balls`.
 void pair_on_ways(DetectScratch& scratch, const StepPaths& paths);
 
-/// Whether all that may meet in the step is among pairs found before.
-bool still_holds(const NearPairs& pairs, const PieceSurface& surface, const StepPaths& paths);
+/// Whether vertices go so little in the step that pairs are kept for the next ones.
+bool keeps_pairs(const DetectScratch& scratch);
 
-/// Begins new pairs, from the places as the step begins. True in short sub-steps: later steps can
-/// keep the pairs, if boxes are wider by half of the margin.
-bool keep_from_here(NearPairs& pairs, const PieceSurface& surface, const StepPaths& paths);
+/// What pairs are kept by. Needs: `update_near`.
+NearQuery near_query(const DetectScratch& scratch);
 
-/// Pairs of tetrahedra on the surfaces of different pieces with boxes that may meet as the step
-/// ends, by their numbers, in `scratch.near_solids`; rows of `scratch.solid_axes` are theirs. Needs: `scratch.surface`.
-const std::vector<RowPair>& pairs_at_end(DetectScratch& scratch, const StepPaths& paths);
+/// Ways of components, and shapes where the surface has changed. Needs: `scratch.surface`.
+void update_near(DetectScratch& scratch, const StepPaths& paths);
+
+/// Makes `scratch.near_solids` hold for the step: pairs of tetrahedra on the surfaces of different
+/// pieces. Needs: `keeps_pairs`.
+void refresh_solids(DetectScratch& scratch, const StepPaths& paths);
+
+/// Pairs of tetrahedra on the surfaces of different pieces with boxes that meet as the step ends, by
+/// their numbers, into `scratch.swept`.
+void pair_at_end(DetectScratch& scratch, const StepPaths& paths);
 
 /// Tetrahedra of members with their boxes as the step ends, into `scratch.solid_pairs`.
 void box_at_end(DetectScratch& scratch, const StepPaths& paths);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Boxes of tetrahedra on their ways, and axes that part them.
-#include "mechanics/contact/detection/solid_pairs.hpp"
+#include "mechanics/contact/detection/pairs/solid_pairs.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -74,16 +74,6 @@ void pair_boxes(SolidPairs& pairs, const StepPaths& paths) {
   find_box_pairs(pairs.found, pairs.grid, {pairs.boxes, pairs.body, pairs.moves, pairs.ways});
 }
 
-/// m: the farthest that a vertex is from where it was, at either end of the step.
-double largest_motion(const StepPaths& paths, std::span<const Vec3> position) {
-  double squared = 0;
-  for (std::size_t v = 0; v < position.size(); ++v) {
-    squared = std::max({squared, (paths.state.vertices.position[v] - position[v]).squaredNorm(),
-                        (paths.predicted[v] - position[v]).squaredNorm()});
-  }
-  return std::sqrt(squared);
-}
-
 }  // namespace
 
 double sagitta(double angle, double arm) { return std::min(0.125 * angle * angle, 2.0) * arm; }
@@ -149,55 +139,61 @@ void pair_on_ways(DetectScratch& scratch, const StepPaths& paths) {
   pair_boxes(scratch.solid_pairs, paths);
 }
 
-bool still_holds(const NearPairs& pairs, const PieceSurface& surface, const StepPaths& paths) {
-  return pairs.version != 0 && pairs.version == surface.version &&
-         pairs.position.size() == paths.predicted.size() &&
-         largest_motion(paths, pairs.position) <= 0.5 * pairs.margin;
-}
-
-bool keep_from_here(NearPairs& pairs, const PieceSurface& surface, const StepPaths& paths) {
-  pairs.version = 0;
-  double length = 0;
-  for (const SurfaceEdge& edge : surface.edges) {
-    length += (paths.at_start(edge.end[1]) - paths.at_start(edge.end[0])).norm();
-  }
-  constexpr double share = 0.1;
-  const auto count = static_cast<double>(std::max<std::size_t>(1, surface.edges.size()));
-  pairs.margin = share * length / count;
-  const std::vector<Vec3>& position = paths.state.vertices.position;
-  if (!(8 * largest_motion(paths, position) <= pairs.margin)) return false;
-  pairs.position = position;
-  pairs.version = surface.version;
-  return true;
-}
-
 void box_at_end(DetectScratch& scratch, const StepPaths& paths) {
   box_tetrahedra(scratch, paths, false, [&](TetId t, ComponentId) {
     return std::pair(bounds_of(places_at_end(paths, t)), Vec3(Vec3::Zero()));
   });
 }
 
-const std::vector<RowPair>& pairs_at_end(DetectScratch& scratch, const StepPaths& paths) {
-  NearPairs& near = scratch.near_solids;
-  if (still_holds(near, scratch.surface, paths)) return near.found;
-  const bool keeps = keep_from_here(near, scratch.surface, paths);
-  if (keeps) {
-    const Vec3 wide = Vec3::Constant(0.5 * near.margin);
-    box_tetrahedra(scratch, paths, true, [&](TetId t, ComponentId) {
-      const Bounds box = bounds_of(places_of(paths.corners[t.index()], paths));
-      return std::pair(Bounds{box.low - wide, box.high + wide}, Vec3(Vec3::Zero()));
-    });
-  } else {
-    box_at_end(scratch, paths);
+void update_near(DetectScratch& scratch, const StepPaths& paths) {
+  update_travel(scratch.travel, paths);
+  if (scratch.shape_version == scratch.surface.version &&
+      scratch.shape.size() == paths.state.components.size()) {
+    return;
   }
+  scratch.shape_version = scratch.surface.version;
+  measure_shapes(scratch.shape, scratch.surface, paths.state.elements,
+                 paths.state.components.size());
+  double length = 0;
+  const std::vector<Vec3>& rest = paths.state.vertices.rest_position;
+  for (const SurfaceEdge& edge : scratch.surface.edges) {
+    length += (rest[edge.end[1].index()] - rest[edge.end[0].index()]).norm();
+  }
+  const std::size_t count = std::max<std::size_t>(1, scratch.surface.edges.size());
+  scratch.mean_edge = length / static_cast<double>(count);
+}
+
+NearQuery near_query(const DetectScratch& scratch) {
+  constexpr double margin = 0.25;  // of the mean edge
+  return {scratch.travel, scratch.shape, margin * scratch.mean_edge};
+}
+
+bool keeps_pairs(const DetectScratch& scratch) {
+  return scratch.travel.farthest <= near_query(scratch).margin;
+}
+
+void refresh_solids(DetectScratch& scratch, const StepPaths& paths) {
+  const NearQuery query = near_query(scratch);
+  if (!find_stale(scratch.near_solids, query)) return;
+  box_tetrahedra(scratch, paths, true, [&](TetId t, ComponentId id) {
+    const Vec3 wide = Vec3::Constant(width_of(query, id.value));
+    const Bounds box = bounds_of(places_of(paths.corners[t.index()], paths));
+    return std::pair(Bounds{box.low - wide, box.high + wide}, Vec3(Vec3::Zero()));
+  });
+  SolidPairs& pairs = scratch.solid_pairs;
+  std::vector<std::uint32_t> numbers;
+  for (const TetId t : pairs.tetrahedra) numbers.push_back(t.value);
+  add_pairs(scratch.near_solids, pairs.grid, pairs.boxes, pairs.body, numbers);
+}
+
+void pair_at_end(DetectScratch& scratch, const StepPaths& paths) {
+  box_at_end(scratch, paths);
   SolidPairs& pairs = scratch.solid_pairs;
   pair_boxes(pairs, paths);
-  near.found.clear();
+  scratch.swept.clear();
   for (const auto& [a, b] : pairs.found) {
-    near.found.emplace_back(pairs.tetrahedra[a].value, pairs.tetrahedra[b].value);
+    scratch.swept.emplace_back(pairs.tetrahedra[a].value, pairs.tetrahedra[b].value);
   }
-  scratch.solid_axes.assign(near.found.size(), {});
-  return near.found;
 }
 
 bool are_partners(const DetectScratch& scratch, const StepPaths& paths, TetId a, TetId b) {
