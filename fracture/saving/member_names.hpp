@@ -66,7 +66,7 @@ constexpr auto member_names(const ContactSettings*) {
                "max_iterations", "tolerance", "max_passes", "max_contacts_per_pair");
 }
 constexpr auto member_names(const ImpactSettings*) {
-  return names("window", "fraction", "negligible", "by_energy", "max_sub_steps");
+  return names("window", "scheme", "fraction", "negligible", "by_energy", "max_sub_steps");
 }
 constexpr auto member_names(const FractureSettings*) {
   return names("mode", "max_fans", "max_new_pieces", "budget_time", "node_stress", "test",

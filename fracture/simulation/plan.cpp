@@ -4,10 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "fracture/simulation/integrator_bounds.hpp"
-#include "fracture/simulation/ledger/break_energy.hpp"
 #include "fracture/simulation/plan_members.hpp"
 #include "mechanics/baselines/verlet.hpp"
 #include "mechanics/contact/impact/impact_energy.hpp"
@@ -31,6 +29,8 @@ bool has_windows(const Scene& scene) {
          scene.contact.method == ContactMethod::impulses;
 }
 
+bool is_explicit(const Scene& scene) { return scene.impact.scheme == ImpactScheme::central; }
+
 bool is_open(const ImpactWindow& window, std::size_t component) {
   return window.quiet[component] != ImpactWindow::closed;
 }
@@ -38,13 +38,21 @@ bool is_open(const ImpactWindow& window, std::size_t component) {
 /// Opens windows for what is struck. The first one decides the sub-step: the step over a power of
 /// two, so that runs whose steps differ by such a power take the same sub-steps; ties may ask for a
 /// shorter one later. In the midst of the members' step what is left of it is counted anew.
-void open(StepPlan& plan, ImpactWindow& window, const Blows& blows, const Scene& scene) {
+void open(StepPlan& plan, ImpactWindow& window, const Blows& blows, const Scene& scene,
+          const MechanicsState& m) {
   const double time_step = scene.integrator.time_step;
+  double longest = blows.sub_step;
+  // Explicit steps resolve each cell: the stress criterion looks once in a wave's way through one.
+  if (is_explicit(scene)) {
+    for (ComponentId id : blows.struck) {
+      longest = std::min(longest, cell_travel(m, m.components[id.index()]));
+    }
+  }
   const bool refines = scene.fracture.crack == CrackMode::cohesive;
   // No computer takes more sub-steps than that; their count stays exact.
   constexpr int most_halvings = 40;
   double sub_step = time_step;
-  for (int k = 0; k < most_halvings && sub_step > blows.sub_step; ++k) sub_step /= 2;
+  for (int k = 0; k < most_halvings && sub_step > longest; ++k) sub_step /= 2;
   if (open_windows(window).empty() || (refines && sub_step < window.sub_step)) {
     if (plan.phase == StepPlan::Phase::members) {
       sub_step = std::min(sub_step, window.sub_step);
@@ -143,12 +151,31 @@ void begin_members(StepPlan& plan, const Scene& scene, SimulationState& s) {
   if (!plan.throughout) plan.still = sub_steps_before(plan.blow, plan.left, s.impact.sub_step);
 }
 
+/// For how many sub-steps contacts are found at once: as long as an implicit sub-step of the largest
+/// piece would be, or as the step still lasts.
+std::uint64_t sub_steps_of_contacts(const StepPlan& plan, const Scene& scene,
+                                    const SimulationState& s) {
+  double longest = 0;
+  for (const ComponentId id : open_windows(s.impact)) {
+    const Component& c = s.mechanics.components[id.index()];
+    longest = std::max(longest, wave_sub_step(s.mechanics, c, scene.impact));
+  }
+  longest = std::min(longest, time_left(plan, s));
+  const double count = std::floor(longest / s.impact.sub_step * (1 + 1e-9));
+  return whole_number<std::uint64_t>(std::max(1.0, count));
+}
+
 PlannedPart next_of_members(StepPlan& plan, const Scene& scene, SimulationState& s) {
   const double sub_step = s.impact.sub_step;
   // A tenth of a depth that is never pushed out.
   spread_boundary(plan.boundary, s, plan.gravity, time_left(plan, s), plan.reach,
                   0.1 * scene.contact.allowed_penetration);
+  const std::vector<char> before = plan.components;
   take_the_members(plan, s);
+  // Whom spreading roles has made a member may meet others at once.
+  for (std::size_t k = 0; k < before.size(); ++k) {
+    if (plan.components[k] && !before[k]) plan.served = 0;
+  }
   if (plan.still > 0) {
     return {.part = {Deformation::frozen, scene.integrator.time_step, &scene.impact, plan.strength,
                      plan.threshold},
@@ -159,9 +186,14 @@ PlannedPart next_of_members(StepPlan& plan, const Scene& scene, SimulationState&
   const bool fine = plan.throughout || !open_windows(s.impact).empty();
   const bool at_once = plan.impact.stopped || plan.hurried;
   if (fine && !at_once) {
-    return {
-        {Deformation::wave, 0, &scene.impact, plan.strength, plan.threshold, wave_viscosity(scene)},
-        sub_step};
+    StepPart wave{Deformation::wave, 0,           &scene.impact,        plan.strength,
+                  plan.threshold,    wave_viscosity(scene)};
+    wave.is_explicit = is_explicit(scene);
+    if (wave.is_explicit && plan.served == 0) {
+      plan.served = sub_steps_of_contacts(plan, scene, s);
+      wave.contacts_for = static_cast<double>(plan.served) * sub_step;
+    }
+    return {wave, sub_step};
   }
   // What is left at once, or the way to the next blow.
   const ImpactSettings* impact = at_once ? nullptr : &scene.impact;
@@ -223,12 +255,13 @@ void note_members(StepPlan& plan, const PlannedPart& part, const ContactStepResu
     case Deformation::wave:
       note_sub_step(plan, result.blows, s);
       --plan.left;
+      if (plan.served > 0) --plan.served;
       return;
     default:
       if (result.adopted) {
         plan.left = 0;
       } else {
-        open(plan, s.impact, result.blows, scene);
+        open(plan, s.impact, result.blows, scene, s.mechanics);
         plan.still = sub_steps_before(result.blows.time, plan.left, s.impact.sub_step);
       }
   }
@@ -240,26 +273,6 @@ void finish_members(StepPlan& plan, const Scene& scene, SimulationState& s) {
   if (plan.impact.stopped) std::ranges::fill(s.impact.quiet, ImpactWindow::closed);
   put_back_obstacles(plan, s.obstacles);
   move_obstacles(scene, s.obstacles);
-}
-
-/// Pieces that came off take their vertices' strengths with them.
-void note_strengths(StepPlan& plan, const Scene& scene, const SimulationState& s) {
-  note_lowest_strengths(plan.strength, s.mechanics, s.cells);
-  for (std::size_t k = 0; k < plan.declared.size(); ++k) {
-    if (plan.declared[k]) plan.strength[k] = std::numeric_limits<double>::infinity();
-  }
-  plan.threshold.clear();
-  if (!scene.impact.by_energy) return;
-  note_break_energies(plan.threshold, s.mechanics, s.cells, scene.fracture.node_stress,
-                      plan.break_energy);
-  for (std::size_t k = 0; k < plan.declared.size(); ++k) {
-    if (plan.declared[k]) plan.threshold[k] = std::numeric_limits<double>::infinity();
-  }
-  // What loads can do to it is not bounded.
-  for (const CornerLoad& load : s.loads) {
-    const TetId t = tetrahedron_of(load.corner);
-    plan.threshold[s.mechanics.elements.component[t.index()].index()] = 0;
-  }
 }
 
 }  // namespace
@@ -363,7 +376,7 @@ void note_part(StepPlan& plan, const PlannedPart& part, const ContactStepResult&
     return;
   }
   // The others go first, as long as no blow makes members of them.
-  open(plan, s.impact, result.blows, scene);
+  open(plan, s.impact, result.blows, scene, s.mechanics);
   plan.blow =
       plan.phase == Phase::whole ? result.blows.time : std::min(plan.blow, result.blows.time);
   if (plan.phase == Phase::whole) begin_others(plan, s);
@@ -374,7 +387,7 @@ void note_fans(StepPlan& plan, const Scene& scene, SimulationState& s,
   if (!has_windows(scene) || scene.fracture.crack == CrackMode::paper) return;
   s.impact.quiet.resize(s.mechanics.components.size(), ImpactWindow::closed);
   const Blows cracked = struck_by_cracks(cracked_by(fans, s.mechanics), scene, s.mechanics);
-  if (!cracked.struck.empty()) open(plan, s.impact, cracked, scene);
+  if (!cracked.struck.empty()) open(plan, s.impact, cracked, scene, s.mechanics);
 }
 
 }  // namespace sunder

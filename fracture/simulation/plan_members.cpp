@@ -3,7 +3,9 @@
 #include "fracture/simulation/plan_members.hpp"
 
 #include <algorithm>
+#include <limits>
 
+#include "fracture/simulation/ledger/break_energy.hpp"
 #include "mechanics/state/living.hpp"
 #include "topology/base/assert.hpp"
 
@@ -74,6 +76,25 @@ void take_the_members(StepPlan& plan, const SimulationState& s) {
   });
   plan.impact.components = std::max(plan.impact.components, members);
   plan.impact.carried = std::max(plan.impact.carried, carried);
+}
+
+void note_strengths(StepPlan& plan, const Scene& scene, const SimulationState& s) {
+  note_lowest_strengths(plan.strength, s.mechanics, s.cells);
+  for (std::size_t k = 0; k < plan.declared.size(); ++k) {
+    if (plan.declared[k]) plan.strength[k] = std::numeric_limits<double>::infinity();
+  }
+  plan.threshold.clear();
+  if (!scene.impact.by_energy) return;
+  note_break_energies(plan.threshold, s.mechanics, s.cells, scene.fracture.node_stress,
+                      plan.break_energy);
+  for (std::size_t k = 0; k < plan.declared.size(); ++k) {
+    if (plan.declared[k]) plan.threshold[k] = std::numeric_limits<double>::infinity();
+  }
+  // What loads can do to it is not bounded.
+  for (const CornerLoad& load : s.loads) {
+    const TetId t = tetrahedron_of(load.corner);
+    plan.threshold[s.mechanics.elements.component[t.index()].index()] = 0;
+  }
 }
 
 }  // namespace sunder

@@ -25,4 +25,8 @@ bool take_the_others(StepPlan& plan, const SimulationState& state);
 /// The members, and the carried among which they are.
 void take_the_members(StepPlan& plan, const SimulationState& state);
 
+/// The strengths and energies at which components break, as the part to come begins: pieces that came
+/// off take their vertices' with them.
+void note_strengths(StepPlan& plan, const Scene& scene, const SimulationState& state);
+
 }  // namespace sunder

@@ -43,6 +43,7 @@ struct StepPlan {
   double blow = 0;                  ///< s, when the first blow falls
   std::uint64_t left = 0;           ///< sub-steps that the members have before them
   std::uint64_t still = 0;          ///< how many of them they now go with frozen deformations
+  std::uint64_t served = 0;         ///< sub-steps for which contacts that were found still serve
   bool throughout = false;          ///< every sub-step is taken finely
   bool hurried = false;             ///< what is left is taken at once (`Simulation::hurry`)
   std::vector<Obstacle> obstacles;  ///< as they were at the start

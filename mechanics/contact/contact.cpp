@@ -11,11 +11,14 @@
 #include "mechanics/contact/detection/contact_partners.hpp"
 #include "mechanics/contact/response/contact_bounce.hpp"
 #include "mechanics/contact/shapes/obstacle_geometry.hpp"
+#include "mechanics/contact/waves/explicit_wave.hpp"
 #include "mechanics/state/living.hpp"
 #include "topology/base/sort_unique.hpp"
 
 namespace sunder {
 
+ContactScratch::Buffers::Buffers() = default;
+ContactScratch::Buffers::~Buffers() = default;
 ContactScratch::ContactScratch() : buffers(std::make_unique<Buffers>()) {}
 ContactScratch::~ContactScratch() = default;
 ContactScratch::ContactScratch(ContactScratch&&) noexcept = default;
@@ -25,7 +28,7 @@ StepPaths paths_of(const ContactStep& step) {
   const MechanicsScratch::Predicted& predicted = step.pass.mechanics.predicted;
   return {step.pass.state, step.pass.input.corners, predicted.position,
           predicted.frame, step.pass.obstacles,     step.scratch.ball_end,
-          step.h(),        step.pass.input.members, step.pass.input.neighbours};
+          step.ahead > 0 ? step.ahead : step.h(), step.pass.input.members, step.pass.input.neighbours};
 }
 
 namespace {
@@ -109,6 +112,7 @@ void begin_step(ContactStep& step) {
   scratch.left_out.clear();
   note_loads(step);
   const StepInput& input = step.pass.input;
+  if (step.is_explicit()) return predict(step.pass.mechanics, state, input, {});
   prepare(state, input);
   begin_ties(step);
   for_each_living(state, input.members, [&](const Component& component) {
@@ -125,8 +129,22 @@ void begin_step(ContactStep& step) {
   }
 }
 
+std::vector<Vec3> finish_explicit_contacts(ContactStep& step) {
+  const std::vector<LumpedRow>& rows = step.scratch.wave->contacts.rows;
+  std::vector<Vec3> moments;
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < step.contacts.size(); ++k) {
+    if (step.contacts[k].impulse.isZero(0)) continue;
+    step.contacts[kept++] = step.contacts[k];
+    moments.push_back(rows[k].moment);
+  }
+  step.contacts.resize(kept);
+  return moments;
+}
+
 /// Before the bodies are adopted: what is without an impulse is no contact; moments of the others.
 std::vector<Vec3> finish_contacts(ContactStep& step) {
+  if (step.is_explicit()) return finish_explicit_contacts(step);
   std::erase_if(step.contacts, [](const ContactPoint& c) { return c.impulse.isZero(0); });
   std::vector<Vec3> moments;
   for (const ContactPoint& c : step.contacts) {
@@ -134,6 +152,15 @@ std::vector<Vec3> finish_contacts(ContactStep& step) {
         (place_of_side_a(step.pass, c) + way_of_impulse(step.pass, c)).cross(c.impulse));
   }
   return moments;
+}
+
+/// The damping of explicit steps is what stress took from motion and strain does not hold.
+void take_off_strain(StepStatus& status, const MechanicsState& state, const StepInput& input) {
+  if (!input.measures_strain) return;
+  for_each_living(state, input.members, [&](const Component& component) {
+    if (!deforms_in_wave(component)) return;
+    status.damping_work -= component.strain_change.after - component.strain_change.before;
+  });
 }
 
 /// What a bounce took back or gave, it did where the part ends.
@@ -186,21 +213,25 @@ ContactStepResult advance_with_contact(const ContactWorld& world, const StepInpu
                    {},
                    {}};
   begin_step(step);
-  predict_balls(step);
+  if (!step.is_explicit()) predict_balls(step);
   ContactStepResult result;
   if (settings.method == ContactMethod::penalty) {
     push_by_penalty(step);
     predict_balls(step);
   } else {
     update_partners(world.memory, step.scratch.detect, paths_of(step));
-    if (!step.is_wave()) remember_start(step);
-    result.adopted = resolve(step);
+    if (step.is_explicit()) {
+      take_explicit_part(step);
+    } else {
+      if (!step.is_wave()) remember_start(step);
+      result.adopted = resolve(step);
+    }
     result.passes = result.adopted && has_passing(step);
     result.adopted = result.adopted && !result.passes;
     if (!result.adopted) put_back(step);
   }
   if (result.adopted) {
-    result.ties = finish_ties(step);
+    result.ties = step.is_explicit() ? finish_explicit_ties(step) : finish_ties(step);
     count_contacts(step);
     if (step.is_wave() && input.part.impact) feel_blows(step);
     // Where ties open, waves run: as if it were struck.
@@ -209,6 +240,8 @@ ContactStepResult advance_with_contact(const ContactWorld& world, const StepInpu
     sort_unique(step.blows.struck);
     result.moments = finish_contacts(step);
     result.status = adopt(world.state, scratch.mechanics, input);
+    if (step.is_explicit()) take_off_strain(result.status, world.state, input);
+    result.trace = std::move(step.trace);
     end_step(step, result.moments, result.status.outcome == StepOutcome::fine);
     if (step.report.candidates > 0 || !step.ties.empty()) {
       result.touched = step.scratch.blows.component_touched;

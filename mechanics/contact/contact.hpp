@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "mechanics/contact/contact_point.hpp"
@@ -10,6 +11,7 @@
 #include "mechanics/contact/settings/contact_settings.hpp"
 #include "mechanics/contact/impact/impact.hpp"
 #include "mechanics/contact/shapes/obstacle.hpp"
+#include "mechanics/contact/waves/wave_work.hpp"
 #include "mechanics/step.hpp"
 
 namespace sunder {
@@ -37,6 +39,15 @@ struct ContactStepScratch {
   ContactScratch& contact;
 };
 
+/// Where weight acted in explicit steps, and what forces did: for the ledgers.
+struct WaveTrace {
+  std::vector<Vec3> weight_place;       ///< row = ComponentId, m
+  std::vector<Vec3> ball_weight_place;  ///< row = obstacle, m
+  WaveWork work;
+  RowWork contact;
+  double bonds = 0;  ///< J that bonds took from motion beyond their law
+};
+
 struct ContactStepResult {
   StepStatus status;
   ContactReport report;
@@ -46,6 +57,7 @@ struct ContactStepResult {
   TieReport ties;
   /// Rows = ComponentId, obstacles: who got impulses, be they taken back; empty: nobody.
   std::vector<char> touched, ball_touched;
+  std::optional<WaveTrace> trace;  ///< of explicit steps
   Blows blows;  ///< only where `StepPart::impact` is given
   /// False: there are blows ahead, or pieces would pass each other; nothing was done.
   bool adopted = true;

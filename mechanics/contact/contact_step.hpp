@@ -3,6 +3,8 @@
 #pragma once
 
 #include <array>
+#include <memory>
+#include <optional>
 #include <tuple>
 #include <vector>
 
@@ -29,7 +31,11 @@ struct StepStart {
   std::vector<Vec3> velocity;  ///< |V|, m/s
 };
 
+struct WaveScratch;
+
 struct ContactScratch::Buffers {
+  Buffers();
+  ~Buffers();
   DetectScratch detect;
   StepStart start;
   ContactBodies bodies;
@@ -40,6 +46,7 @@ struct ContactScratch::Buffers {
   std::vector<char> rests;  ///< components, then obstacles: that begin on something
   /// Row = ComponentId, m/s^2 and rad/s^2 of free components; empty without surface loads.
   std::vector<std::array<Vec3, 2>> load_acceleration;
+  std::unique_ptr<WaveScratch> wave;  ///< of explicit steps; null until needed
   std::vector<ContactPoint> left_out;  ///< that end too deep and were not solved for
 };
 
@@ -64,12 +71,15 @@ struct ContactStep {
   int tie_iterations = 0;
   double tie_residual = 0;
   Look look = Look::all;
+  double ahead = 0;  ///< s: how far paths go, where that is not the part's length
+  std::optional<WaveTrace> trace = {};  ///< of explicit steps
   bool has_left = false;  ///< something was left to the next pass
   bool stalled = false;   ///< the last solve ended near its tolerance (`SolveOutcome`)
 
   double h() const { return pass.input.settings.time_step; }
   Deformation deformation() const { return pass.input.part.deformation; }
   bool is_wave() const { return deformation() == Deformation::wave; }
+  bool is_explicit() const { return is_wave() && pass.input.part.is_explicit; }
 };
 
 /// Pa, of the weakest vertex of a component. Needs: `StepPart::impact`.

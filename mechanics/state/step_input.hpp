@@ -48,6 +48,10 @@ struct StepPart {
   std::span<const double> threshold = {};
   /// Of a wave: C_w (`WaveScheme`) is this times a wave's way through a cell times K.
   double viscosity = 0.3;
+  /// A wave by explicit steps (`ImpactScheme::central`) and not by an implicit one.
+  bool is_explicit = false;
+  /// s, of an explicit wave: contacts are found for so long; 0: those found before still serve.
+  double contacts_for = 0;
   /// A step in which pieces would pass each other, fast or in a spin, is not taken.
   bool divides = false;
 };

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// `cohesive [MESH... | --cost]`: notched bars pulled apart through ties: what the crack takes
+// `cohesive [--explicit] [MESH... | --cost]`: notched bars pulled apart through ties: what the crack takes
 // against G_c times the section, at steps of any length; bars of cubes, and MESHes of the box 0.8 x
 // 0.4 x 0.1 m.
-// `--cost`: what a sub-step with a growing crack costs beside mode `object`.
+// `--explicit`: impacts by explicit steps. `--cost`: what a sub-step with a growing crack costs beside mode `object`.
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -26,6 +26,8 @@ using namespace sunder::accuracy;
 namespace {
 
 constexpr double height = 0.4, thickness = 0.1, energy = 33;  // m, m, J/m^2
+
+ImpactScheme scheme = ImpactScheme::implicit;  ///< of all runs
 
 struct Pull {
   double speed = 0.05;     ///< m/s, of one end
@@ -51,6 +53,7 @@ Scene scene_of(const TetMesh& mesh, const Pull& pull) {
   scene.gravity.acceleration.setZero();
   scene.integrator.time_step = pull.step;
   scene.impact.fraction = pull.fraction;
+  scene.impact.scheme = scheme;
   scene.fracture.crack = pull.crack;
   scene.energy_ledger = true;
   return scene;
@@ -156,6 +159,11 @@ void print_cost() {
 }  // namespace
 
 int main(int argc, char** argv) {
+  if (argc > 1 && std::string_view(argv[1]) == "--explicit") {
+    scheme = ImpactScheme::central;
+    --argc;
+    ++argv;
+  }
   try {
     if (argc == 2 && std::string_view(argv[1]) == "--cost") {
       print_cost();

@@ -6,6 +6,7 @@
 
 #include "mechanics/contact/detection/contact_detect.hpp"
 #include "mechanics/contact/shapes/obstacle_geometry.hpp"
+#include "mechanics/contact/waves/wave_bodies.hpp"
 #include "mechanics/integrators/coefficients.hpp"
 #include "mechanics/integrators/component_step.hpp"
 #include "mechanics/integrators/numerical_loss.hpp"
@@ -240,6 +241,25 @@ void add_support_work(EnergyLedger& ledger, const AdoptedPart& part, const Compo
   ledger.supports += given + component.frame_velocity.dot(momentum - outside);
 }
 
+/// Of explicit steps, which measure the work of each force themselves. Rigid members fall by their
+/// mass centres.
+void add_explicit_work(EnergyLedger& ledger, const AdoptedPart& part, const WaveTrace& trace) {
+  ledger.gravity += trace.work.gravity;
+  ledger.loads += trace.work.loads;
+  ledger.supports += trace.work.supports;
+  ledger.contact += trace.contact.contact;
+  ledger.friction += trace.contact.friction;
+  ledger.push_out += trace.contact.push_out;
+  ledger.cracks += part.result.ties.work;
+  ledger.numerical += trace.bonds;
+  const MechanicsState& m = part.state.mechanics;
+  for_each_living(m, part.input.members, [&](const Component& c) {
+    if (deforms_in_wave(c) || c.supported || c.rung == Rung::carried) return;
+    ledger.gravity +=
+        c.mass * part.input.loads.gravity.dot(c.centre - part.before.centre[c.id.index()]);
+  });
+}
+
 }  // namespace
 
 bool is_struck(const std::vector<char>& touched, std::size_t row) {
@@ -278,6 +298,12 @@ void add_part_energy(StepReport& report, const AdoptedPart& part, bool keeps_led
                 {part.before.displacement, members, part.input.settings.time_step});
   if (!keeps_ledger) return;
   EnergyLedger& ledger = report.energy;
+  if (part.result.trace) {
+    for_each_living(m, members, [&](const Component& component) {
+      ledger.strain += component.strain_change.after - component.strain_change.before;
+    });
+    return add_explicit_work(ledger, part, *part.result.trace);
+  }
   add_work(ledger, part);
   add_contact_work(ledger, part);
   ledger.cracks += part.result.ties.work;

@@ -3,6 +3,7 @@
 #include "fracture/simulation/ledger/momentum_ledger.hpp"
 
 #include "mechanics/contact/shapes/obstacle_geometry.hpp"
+#include "mechanics/contact/waves/wave_bodies.hpp"
 #include "mechanics/element/energy.hpp"
 #include "mechanics/integrators/coefficients.hpp"
 #include "mechanics/state/living.hpp"
@@ -23,6 +24,10 @@ bool is_wave(const AdoptedPart& part) { return part.input.part.deformation == De
 Vec3 place_of_weight(const AdoptedPart& part, const Component& c) {
   const std::size_t row = c.id.index();
   const Vec3& start = part.before.centre[row];
+  // Rigid members that nothing touched fall as in any other part.
+  if (part.result.trace && (deforms_in_wave(c) || is_struck(part.result.touched, row))) {
+    return part.result.trace->weight_place[row];
+  }
   if (is_wave(part)) {
     const double share = share_in_wave(part, c);
     return start + (1 - share) * part.input.settings.time_step / c.mass * part.before.momentum[row];
@@ -111,6 +116,11 @@ void add_weight_of_balls(MomentumLedger& ledger, const AdoptedPart& part) {
     const Vec3 start = pose_of(before.shape).centre;
     const std::vector<char>& touched = part.result.ball_touched;
     const double old_share = is_struck(touched, k) ? 0 : 0.5;
+    if (part.result.trace) {
+      ledger.gravity += impulse_at(part.result.trace->ball_weight_place[k],
+                                   h * *ball.mass * part.input.loads.gravity);
+      continue;
+    }
     const Vec3 way = is_wave(part) ? Vec3(old_share * h * before.velocity)
                                    : Vec3(moment_of_loads(part, touched, k) *
                                           (pose_of(ball.shape).centre - start));

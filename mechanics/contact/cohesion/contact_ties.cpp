@@ -77,13 +77,12 @@ double stiffness_of(const TiePair& pair) {
   return sum;
 }
 
-/// m/(N s) of a row for a step of `h`; bounds rule where nothing is left of the stiffness.
+}  // namespace
+
 double give_of(const TiePair& pair, double h) {
   const double stiffness = stiffness_of(pair);
   return stiffness > 0 && std::isfinite(stiffness) ? 1 / (stiffness * h) : 0;
 }
-
-}  // namespace
 
 double mode_factor(const TiePair& pair, const Vec3& impulse, const Vec3& opening) {
   // A tie has an impulse before it opens.
@@ -169,33 +168,51 @@ double measure_tie(Constraint& row, const TiePair& pair, const Vec3& impulse,
   return (bond_wanted(row, row.slip) - impulse).norm() * bond.response;
 }
 
+bool settle_tie(TieReport& report, TiePair& pair, const TieOpening& opening, const Vec3& force) {
+  const double before = effective_opening(opening.start, pair.normal, pair.shear);
+  const double now = effective_opening(opening.end, pair.normal, pair.shear);
+  const double mode_before = mode_ratio(opening.start, pair.normal, pair.shear);
+  const double mode = mode_ratio(opening.end, pair.normal, pair.shear);
+  report.work -= force.dot(opening.end - opening.start);
+  bool opens = false;
+  for (TieCorner* corner : pair.corners) {
+    const double taken = dissipated_energy(*corner, corner->opened, mode);
+    report.stored -= stored_energy(*corner, std::min(before, corner->opened), mode_before);
+    opens = opens || (now > corner->opened && !corner->is_spent());
+    corner->opened = std::max(corner->opened, now);
+    const double takes = dissipated_energy(*corner, corner->opened, mode) - taken;
+    corner->taken += takes;
+    report.dissipated += takes;
+    report.stored += stored_energy(*corner, now, mode);
+  }
+  return opens;
+}
+
+bool has_torn(const TiePair& pair, std::span<const double> opened_before) {
+  constexpr double tear = 0.01;
+  for (std::size_t k = 0; k < pair.corners.size(); ++k) {
+    const TieCorner& corner = *pair.corners[k];
+    const bool was_spent = opened_before[k] >= corner.opening_end;
+    if (!was_spent && corner.opened > opened_before[k] + tear * corner.opening_end) return true;
+  }
+  return false;
+}
+
 TieReport settle_ties(std::span<TiePair> pairs, std::span<const Vec3> impulse,
                       const StepPaths& paths) {
-  constexpr double tear = 0.01;
   TieReport report;
+  std::vector<double> before;
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     TiePair& pair = pairs[k];
-    const Vec3 start = opening_at_start(pair, paths), end = opening_at_end(pair, paths);
-    const double before = effective_opening(start, pair.normal, pair.shear);
-    const double now = effective_opening(end, pair.normal, pair.shear);
-    const double mode_before = mode_ratio(start, pair.normal, pair.shear);
-    const double mode = mode_ratio(end, pair.normal, pair.shear);
+    before.clear();
+    for (const TieCorner* corner : pair.corners) before.push_back(corner->opened);
     ++report.pairs;
-    report.work -= impulse[k].dot(end - start) / paths.time_step;
-    bool opens = false, tears = false;
-    for (TieCorner* corner : pair.corners) {
-      const double taken = dissipated_energy(*corner, corner->opened, mode);
-      report.stored -= stored_energy(*corner, std::min(before, corner->opened), mode_before);
-      opens = opens || (now > corner->opened && !corner->is_spent());
-      tears = tears || (now > corner->opened + tear * corner->opening_end && !corner->is_spent());
-      corner->opened = std::max(corner->opened, now);
-      const double takes = dissipated_energy(*corner, corner->opened, mode) - taken;
-      corner->taken += takes;
-      report.dissipated += takes;
-      report.stored += stored_energy(*corner, now, mode);
+    report.opening += settle_tie(report, pair,
+                                 {opening_at_start(pair, paths), opening_at_end(pair, paths)},
+                                 impulse[k] / paths.time_step);
+    if (has_torn(pair, before)) {
+      report.torn.push_back(paths.state.vertices.component[pair.a.index()]);
     }
-    report.opening += opens;
-    if (tears) report.torn.push_back(paths.state.vertices.component[pair.a.index()]);
   }
   sort_unique(report.torn);
   return report;

@@ -50,6 +50,23 @@ ContactPoint contact_of(const TiePair& pair);
 double measure_tie(Constraint& row, const TiePair& pair, const Vec3& impulse,
                    const StepPaths& paths, std::span<const Vec3> velocity);
 
+/// m, world: by how much A is off B before and after.
+struct TieOpening {
+  Vec3 start, end;
+};
+
+/// The corners of a pair note how far they have opened, and the report what that took; `force`: N, on
+/// A, the mean on the way. True: some opened farther than ever.
+bool settle_tie(TieReport& report, TiePair& pair, const TieOpening& opening, const Vec3& force);
+
+/// Whether a corner of a pair has opened by more than 1 % of the opening that ends it, from
+/// `opened_before` (m, one a corner).
+bool has_torn(const TiePair& pair, std::span<const double> opened_before);
+
+/// m/(N s) of a pair's row for a step of `h` s: give of its secants; bounds rule where nothing is
+/// left of the stiffness.
+double give_of(const TiePair& pair, double h);
+
 /// After the last pass: corners note how far they have opened. `impulse`: N s, on A, of each pair.
 TieReport settle_ties(std::span<TiePair> pairs, std::span<const Vec3> impulse,
                       const StepPaths& paths);

@@ -218,6 +218,7 @@ std::array<Component*, 2> sides_of(const ContactStep& step, const ContactPoint& 
 }
 
 Vec3 relative_shift(const ContactStep& step, const ContactPoint& contact) {
+  if (step.is_explicit()) return Vec3::Zero();
   const MechanicsState& state = step.pass.state;
   const std::span<const Corners> corners = step.pass.input.corners;
   const auto of_body = [&](ComponentId id, const TouchedNodes& nodes) {
@@ -234,7 +235,7 @@ Vec3 relative_shift(const ContactStep& step, const ContactPoint& contact) {
 
 double predicted_gap_error(const ContactStep& step, const ContactPoint& contact,
                            const ContactPath& path) {
-  if (step.is_wave()) return wave_gap_error(step, contact);
+  if (step.is_wave() && !step.is_explicit()) return wave_gap_error(step, contact);
   return gap_end(contact, path) + contact.normal.dot(relative_shift(step, contact)) -
          target_gap(contact);
 }
@@ -249,6 +250,8 @@ bool meet(ContactStep& step, double deepest) {
   for (;;) {
     const std::vector<ComponentId> woken = wake(step, deepest);
     if (woken.empty()) break;
+    // What explicit steps move is predicted as it moves now, on any rung.
+    if (step.is_explicit()) continue;
     predict(step.pass.mechanics, step.pass.state, step.pass.input, woken);
     clear = detect_contacts(step) && clear;
   }

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// Elements packed four at a time, and their forces: the inner loop of explicit steps.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "mechanics/element/second_order.hpp"
+#include "mechanics/solver/aligned_doubles.hpp"
+
+namespace sunder {
+
+/// Columns of vectors in explicit steps: four doubles a row, the last of them unused.
+using QuadColumn = AlignedDoubles;
+
+inline Eigen::Map<Vec3> row_of(QuadColumn& column, std::size_t row) {
+  return Eigen::Map<Vec3>(&column[4 * row]);
+}
+inline Eigen::Map<const Vec3> row_of(const QuadColumn& column, std::size_t row) {
+  return Eigen::Map<const Vec3>(&column[4 * row]);
+}
+
+/// Four tetrahedra of first order. Places that are left over have moduli of zero.
+struct alignas(64) ElementBlock {
+  double gradient[9][4];     ///< 1/m: of the shape functions of corners 1 to 3, by corner and axis
+  double lambda[4], mu[4];   ///< N m: Lame's constants times the rest volume
+  std::uint32_t node[4][4];  ///< by corner
+};
+
+/// A tetrahedron of second order.
+struct SecondOrderElement {
+  ShapeGradient gradient;  ///< 1/m
+  double volume = 0;       ///< m^3
+  Lame lame;
+  std::array<std::uint32_t, 10> node;
+};
+
+/// Sets one of the four places of a block.
+void set_element(ElementBlock& block, std::size_t lane, const ShapeGradient& gradient,
+                 const Lame& scaled, const std::array<std::uint32_t, 4>& node);
+
+/// Adds K_e of every element times `argument` to `inner`, N: H = sum_a (d_a - d_0) G_a^T,
+/// V sigma = V lambda tr(H) I + V mu (H + H^T), f_a = V sigma G_a. The same bytes on any processor.
+void add_block_forces(double* inner, const double* argument, const ElementBlock* blocks,
+                      std::size_t count);
+
+/// The same for elements of second order.
+void add_second_order_forces(QuadColumn& inner, const QuadColumn& argument,
+                             std::span<const SecondOrderElement> elements);
+
+/// c of an element: x^T K_e x <= c sum_a k_a |x_a|^2 for all x, with k_a the largest eigenvalue of
+/// the diagonal block of node a. Then (2 / h)^2 >= sum_e c k_a / m_a at every node bounds the
+/// stable step of central differences: K's largest eigenvalue is that of no partition of the masses
+/// lower than this one's.
+double coupling_of(const ShapeGradient& gradient, double volume, const Lame& lame,
+                   std::size_t nodes);
+
+/// N/m: k_a of that bound, for each node.
+std::array<double, 10> stiffness_of_nodes(const ShapeGradient& gradient, double volume,
+                                          const Lame& lame, std::size_t nodes);
+
+}  // namespace sunder

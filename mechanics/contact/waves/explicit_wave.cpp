@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: MIT
+// Explicit steps of a part of an impact.
+#include "mechanics/contact/waves/explicit_wave.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mechanics/contact/shapes/obstacle_geometry.hpp"
+#include "mechanics/frame/rotation.hpp"
+#include "mechanics/integrators/model_force.hpp"
+#include "mechanics/integrators/rigid_motion.hpp"
+#include "mechanics/state/dense_solve.hpp"
+#include "mechanics/state/living.hpp"
+
+namespace sunder {
+namespace {
+
+/// Impulses of contacts and bonds with a kick, until a sweep changes no velocity by more than
+/// `tolerance` (m/s) and no bond is off its law.
+void solve_impulses(WaveScratch& wave, ContactStep& step, const RowStep& row_step,
+                    double tolerance) {
+  WaveNodes& nodes = wave.bodies.nodes;
+  begin_rows(wave.contacts, nodes, row_step);
+  begin_bonds(wave.bonds, step.ties, nodes, row_step);
+  constexpr int sweeps_of_bonds = 400;
+  double error = 0;
+  std::array<double, 2> off{};
+  int sweeps = 0;
+  do {
+    error = sweep_rows(wave.contacts, nodes, row_step.length);
+    off = sweep_bonds(wave.bonds, step.ties, nodes, row_step, tie_tolerance, sweeps_of_bonds);
+    ++sweeps;
+    // Bonds that contacts have not moved are solved for.
+    if (wave.contacts.rows.empty()) break;
+  } while ((error > tolerance || off[0] > tie_tolerance) && sweeps < step.settings.max_iterations);
+  for (const WaveBody& body : wave.bodies.bodies) follow_supports(wave.bodies, body);
+  settle_rows(wave.contacts, wave.bodies);
+  settle_bonds(wave.bonds, step.ties, wave.bodies, wave.contacts, row_step);
+  step.report.iterations += sweeps;
+  step.report.residual = std::max(step.report.residual, row_step.length * error);
+  step.report.converged = step.report.converged && error <= tolerance;
+  step.tie_residual = std::max(step.tie_residual, off[1]);
+}
+
+/// Velocity Verlet over the part in `count` steps: kicks with their impulses, and drifts between
+/// them. At both ends of the part there is half a kick, with half of the impulses.
+void run_steps(WaveScratch& wave, ContactStep& step, int count) {
+  const double h = step.h() / count;
+  WaveBodies& bodies = wave.bodies;
+  LumpedContacts& contacts = wave.contacts;
+  // A gap that is off by so much over a step counts as solved for.
+  const double tolerance = 1e-3 * step.settings.allowed_penetration / h;
+  double last = 1;
+  for (int k = 0; k <= count; ++k) {
+    const double share = k == 0 || k == count ? 0.5 : 1;
+    if (bodies.measures_work) bodies.velocity_before = bodies.nodes.velocity;
+    for (WaveBody& body : bodies.bodies) kick(bodies, body, share * h);
+    for (WaveRigid& body : contacts.rigid) {
+      body.velocity_before = body.velocity;
+      body.spin_before = body.spin;
+      body.velocity += share * h * body.fall;
+      body.weight_place += share * h * body.centre;
+    }
+    measure_gaps(contacts, bodies.nodes, k * h);
+    solve_impulses(wave, step, {h, share, share / last, k < count}, tolerance);
+    last = share;
+    if (bodies.measures_work) {
+      for (WaveBody& body : bodies.bodies) measure_work(bodies, body);
+    }
+    if (k == count) break;
+    for (WaveBody& body : bodies.bodies) drift(bodies, body, h);
+    for (WaveRigid& body : contacts.rigid) {
+      body.centre += h * body.velocity;
+      body.turned += h * body.spin;
+    }
+  }
+  step.report.tolerated = h * tolerance;
+  ++step.report.passes;
+}
+
+/// rad/s: the change of spin that an angular impulse makes of a body where its nodes are now.
+Vec3 spin_of_twist(const WaveNodes& nodes, const WaveBody& body, const Vec3& twist) {
+  if (body.supported || twist.isZero(0)) return Vec3::Zero();
+  Mat3 inertia = Mat3::Zero();
+  for (std::size_t i = body.first_node; i < body.end_node; ++i) {
+    const Vec3 x = row_of(nodes.position, i) - body.frame.centre;
+    inertia -= nodes.mass[i] * x * x.transpose();
+    inertia.diagonal().array() += nodes.mass[i] * x.squaredNorm();
+  }
+  return solve3(inertia, twist);
+}
+
+/// Rows of a body, and its frame. What its nodes did not get of moments turns it as a whole.
+void write_body(WaveScratch& wave, ContactStep& step, std::size_t b) {
+  MechanicsScratch::Predicted& predicted = step.pass.mechanics.predicted;
+  const WaveNodes& nodes = wave.bodies.nodes;
+  const WaveBody& body = wave.bodies.bodies[b];
+  const MechanicsState& state = step.pass.state;
+  const Component& component = state.components[body.id.index()];
+  const Vec3 spin = spin_of_twist(nodes, body, wave.contacts.twist[b]);
+  for (std::size_t i = body.first_node; i < body.end_node; ++i) {
+    const Vec3 x = row_of(nodes.position, i);
+    const Vec3 by_twist = spin.cross(x - body.frame.centre);
+    const Vec3 v = row_of(nodes.velocity, i);
+    wave.contacts.work.contact += nodes.mass[i] * by_twist.dot(v + 0.5 * by_twist);
+    predicted.position[nodes.vertex[i].index()] = x;
+    predicted.velocity[nodes.vertex[i].index()] = v + by_twist;
+  }
+  fit_prediction({step.pass.mechanics, step.pass.state, step.pass.input, component, nullptr});
+  PredictedFrame& frame = predicted.frame[component.id.index()];
+  frame.damping_work = wave.bodies.measures_work ? -body.work.inner : 0;
+  if (component.supported) return;
+  const Mat3 inertia = deformed_inertia(state.vertices, component);
+  const Vec3 momentum = component.orientation.conjugate() * component.angular_momentum;
+  frame.spun = step.h() * solve3(inertia, momentum).norm();
+}
+
+void write_rigid(const WaveRigid& body, ContactStep& step) {
+  MechanicsScratch::Predicted& predicted = step.pass.mechanics.predicted;
+  const MechanicsState& state = step.pass.state;
+  const Component& c = state.components[body.component.index()];
+  if (c.supported || body.impulse.isZero(0)) {
+    predict(step.pass.mechanics, step.pass.state, step.pass.input, {&c.id, 1});
+    return;
+  }
+  const Mat3 inertia = deformed_inertia(state.vertices, c);
+  PredictedFrame next;
+  next.centre = body.centre;
+  next.momentum = c.mass * body.velocity;
+  next.angular_momentum = c.angular_momentum + body.twist;
+  const SpinStep spin{inertia, Vec3::Zero(), c.angular_momentum, next.angular_momentum, step.h()};
+  next.orientation = turn_through_step(c.orientation, spin);
+  const Mat3 R = next.orientation.toRotationMatrix();
+  next.spin = R * solve3(inertia, R.transpose() * next.angular_momentum);
+  next.spun = step.h() * solve3(inertia, c.orientation.conjugate() * c.angular_momentum).norm();
+  for (const VertexId v : c.vertices) {
+    const std::size_t i = v.index();
+    const Vec3 arm =
+        R * (state.vertices.rest_position[i] - c.rest_centre + state.vertices.displacement[i]);
+    predicted.position[i] = next.centre + arm;
+    predicted.velocity[i] = next.momentum / c.mass + next.spin.cross(arm);
+    predicted.displacement[i] = state.vertices.displacement[i];
+    // A carried component keeps how it deforms (`step_carried`).
+    const bool keeps = c.rung == Rung::carried;
+    predicted.displacement_rate[i] =
+        keeps ? state.vertices.displacement_rate[i] : Vec3(Vec3::Zero());
+    predicted.displacement_acceleration[i] =
+        keeps ? state.vertices.displacement_acceleration[i] : Vec3(Vec3::Zero());
+  }
+  predicted.frame[c.id.index()] = next;
+}
+
+void write_obstacle(const WaveRigid& body, ContactStep& step) {
+  StepBlows& blows = step.scratch.blows;
+  const Obstacle& free = step.pass.obstacles[body.obstacle];
+  blows.ball_impulse[body.obstacle] = body.impulse;
+  blows.ball_twist[body.obstacle] = body.twist;
+  blows.ball_touched[body.obstacle] = !body.impulse.isZero(0);
+  const Vec3 end = angular_momentum_of(free) + body.twist;
+  step.scratch.ball_end[body.obstacle] = {body.centre, turned_obstacle(free, end, step.h())};
+}
+
+/// Results of contacts, and contacts as the next part may take them on.
+void write_contacts(WaveScratch& wave, ContactStep& step) {
+  wave.kept = step.contacts;
+  for (std::size_t k = 0; k < step.contacts.size(); ++k) {
+    const LumpedRow& row = wave.contacts.rows[k];
+    ContactPoint& contact = step.contacts[k];
+    wave.kept[k].gap_start = row.gap + target_gap(contact);
+    contact.impulse = row.total;
+    if (contact.impulse.isZero(0)) continue;
+    for_each_component(contact, step.pass.state, [&](ComponentId id) {
+      step.scratch.blows.component_touched[id.index()] = 1;
+    });
+  }
+}
+
+void trace(WaveTrace& trace, const WaveScratch& wave, const ContactStep& step) {
+  trace.weight_place.assign(step.pass.state.components.size(), Vec3::Zero());
+  trace.ball_weight_place.assign(step.pass.obstacles.size(), Vec3::Zero());
+  for (const WaveBody& body : wave.bodies.bodies) {
+    trace.weight_place[body.id.index()] = body.weight_place / step.h();
+    trace.work.inner += body.work.inner;
+    trace.work.gravity += body.work.gravity;
+    trace.work.loads += body.work.loads;
+    trace.work.supports += body.work.supports;
+  }
+  for (const WaveRigid& body : wave.contacts.rigid) {
+    const Vec3 place = body.weight_place / step.h();
+    if (body.component.is_none()) {
+      trace.ball_weight_place[body.obstacle] = place;
+    } else {
+      trace.weight_place[body.component.index()] = place;
+    }
+  }
+  trace.contact = wave.contacts.work;
+  trace.work.supports -= trace.contact.on_held;
+  trace.bonds = wave.bonds.numerical;
+}
+
+}  // namespace
+
+void take_explicit_part(ContactStep& step) {
+  if (!step.scratch.wave) step.scratch.wave = std::make_unique<WaveScratch>();
+  WaveScratch& wave = *step.scratch.wave;
+  gather_contacts(step);
+  pack_bodies(wave.bodies, step.pass.state, step.pass.input);
+  enlist_rigid(wave, step);
+  double bound = step.h();
+  for (const WaveBody& body : wave.bodies.bodies) {
+    bound = std::min(bound, stable_step(wave.bodies, body));
+  }
+  constexpr double share = 0.9;
+  const double count = std::ceil(step.h() / (share * bound));
+  make_rows(wave, step, count);
+  take_ties(wave, step, count);
+  run_steps(wave, step, static_cast<int>(count));
+  for (std::size_t b = 0; b < wave.bodies.bodies.size(); ++b) write_body(wave, step, b);
+  for (const WaveRigid& body : wave.contacts.rigid) {
+    body.component.is_none() ? write_obstacle(body, step) : write_rigid(body, step);
+  }
+  for_each_living(step.pass.state, step.pass.input.members, [&](const Component& c) {
+    if (c.rung != Rung::asleep) return;
+    predict(step.pass.mechanics, step.pass.state, step.pass.input, {&c.id, 1});
+  });
+  write_contacts(wave, step);
+  trace(step.trace.emplace(), wave, step);
+}
+
+TieReport finish_explicit_ties(ContactStep& step) {
+  WaveScratch& wave = *step.scratch.wave;
+  for (std::size_t k = 0; k < step.tied.size(); ++k) {
+    step.tied[k].impulse = wave.bonds.bonds[k].total;
+  }
+  TieReport report = report_of(wave.bonds, step.ties, wave.bodies);
+  report.residual = step.tie_residual;
+  return report;
+}
+
+}  // namespace sunder

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// A part of an impact in explicit steps: bodies that deform, rigid pieces and their contacts.
+#pragma once
+
+#include "mechanics/contact/contact_step.hpp"
+#include "mechanics/contact/waves/lumped_bonds.hpp"
+#include "mechanics/contact/waves/lumped_rows.hpp"
+
+namespace sunder {
+
+/// What explicit steps reuse from part to part. May be thrown away between two steps.
+struct WaveScratch {
+  WaveBodies bodies;
+  LumpedContacts contacts;
+  LumpedBonds bonds;
+  std::vector<std::uint32_t> rigid_of_component, rigid_of_obstacle;
+  std::vector<ContactPoint> kept;  ///< the contacts of the last part, with gaps as it ended
+};
+
+/// The contacts of the part, into `step.contacts`: along the ways that everything would go in
+/// `StepPart::contacts_for`, or those of the part before with the crack faces as they are now.
+void gather_contacts(ContactStep& step);
+
+/// What moves rigidly in the part, into `wave.contacts.rigid`.
+void enlist_rigid(WaveScratch& wave, const ContactStep& step);
+
+/// Rows of `step.contacts`, with the impulses of the last part over `count` steps. Needs:
+/// `pack_bodies`, `enlist_rigid`.
+void make_rows(WaveScratch& wave, const ContactStep& step, double count);
+
+/// Bonds of the ties of the part, likewise.
+void take_ties(WaveScratch& wave, ContactStep& step, double count);
+
+/// Takes the part at hand (`StepPart::is_explicit`) in explicit steps, into `predicted`:
+/// - contacts along the ways that everything would go in `StepPart::contacts_for`, or those of the
+///   part before with the crack faces as they are now;
+/// - central differences (velocity Verlet): half a kick, then drifts with kicks between them, half
+///   a kick; impulses of contacts between each kick and drift;
+/// - frames, displacements and rates from where the nodes end (`fit_motion`).
+/// The step is 0.9 of what is stable, or less (`stable_step`). Momentum and angular momentum are
+/// conserved to rounding.
+void take_explicit_part(ContactStep& step);
+
+/// What the ties of the part are done with; then they are no contacts.
+TieReport finish_explicit_ties(ContactStep& step);
+
+}  // namespace sunder

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+// Rows of explicit steps.
+#include "mechanics/contact/waves/lumped_rows.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mechanics/frame/rotation.hpp"
+
+namespace sunder {
+namespace {
+
+template <class Visit>
+void for_each_end(const LumpedSide& side, const LumpedContacts& contacts, Visit visit) {
+  for (std::uint32_t e = side.first; e < side.first + side.count; ++e) visit(contacts.ends[e]);
+}
+
+Vec3 velocity_of(const LumpedSide& side, const LumpedContacts& contacts, const WaveNodes& nodes) {
+  if (side.rigid != LumpedSide::none) {
+    const WaveRigid& body = contacts.rigid[side.rigid];
+    return body.velocity + body.spin.cross(side.arm);
+  }
+  Vec3 sum = side.velocity;
+  for_each_end(side, contacts,
+               [&](const LumpedEnd& end) { sum += end.weight * row_of(nodes.velocity, end.node); });
+  return sum;
+}
+
+Vec3 place_of(const LumpedSide& side, const LumpedContacts& contacts, const WaveNodes& nodes,
+              double elapsed) {
+  if (side.rigid != LumpedSide::none) {
+    const WaveRigid& body = contacts.rigid[side.rigid];
+    return body.centre + side.arm + body.turned.cross(side.arm);
+  }
+  if (side.count == 0) return side.start + elapsed * side.velocity;
+  Vec3 sum = Vec3::Zero();
+  for_each_end(side, contacts,
+               [&](const LumpedEnd& end) { sum += end.weight * row_of(nodes.position, end.node); });
+  return sum;
+}
+
+void strike(const LumpedSide& side, const Vec3& impulse, LumpedContacts& contacts,
+            WaveNodes& nodes) {
+  if (side.rigid != LumpedSide::none) {
+    WaveRigid& body = contacts.rigid[side.rigid];
+    body.velocity += body.inverse_mass * impulse;
+    body.spin += body.inverse_inertia * side.arm.cross(impulse);
+    return;
+  }
+  for_each_end(side, contacts, [&](const LumpedEnd& end) {
+    row_of(nodes.velocity, end.node) += end.weight * nodes.inverse_mass[end.node] * impulse;
+  });
+}
+
+Vec3 slip_of(const LumpedRow& row, const LumpedContacts& contacts, const WaveNodes& nodes) {
+  return velocity_of(row.sides[0], contacts, nodes) - velocity_of(row.sides[1], contacts, nodes);
+}
+
+void strike(const LumpedRow& row, const Vec3& impulse, LumpedContacts& contacts, WaveNodes& nodes) {
+  strike(row.sides[0], impulse, contacts, nodes);
+  strike(row.sides[1], -impulse, contacts, nodes);
+}
+
+/// m/s: the mean of a side's velocities before the step and now.
+Vec3 mean_velocity_of(const LumpedSide& side, const LumpedContacts& contacts,
+                      const WaveBodies& waves) {
+  Vec3 before = side.velocity;
+  if (side.rigid != LumpedSide::none) {
+    const WaveRigid& body = contacts.rigid[side.rigid];
+    before = body.velocity_before + body.spin_before.cross(side.arm);
+  }
+  for_each_end(side, contacts, [&](const LumpedEnd& end) {
+    before += end.weight * row_of(waves.velocity_before, end.node);
+  });
+  return 0.5 * (before + velocity_of(side, contacts, waves.nodes));
+}
+
+/// Adds up what a row's impulse does.
+void measure_row(const LumpedRow& row, LumpedContacts& contacts, const WaveBodies& waves) {
+  std::array<Vec3, 2> velocity;
+  RowWork& work = contacts.work;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const LumpedSide& side = row.sides[k];
+    const Vec3 own = k == 0 ? row.impulse : Vec3(-row.impulse);
+    velocity[k] = mean_velocity_of(side, contacts, waves);
+    if (side.is_component) work.contact += own.dot(velocity[k]);
+    for_each_end(side, contacts, [&](const LumpedEnd& end) {
+      if (!waves.nodes.is_held[end.node]) return;
+      const Vec3 mean =
+          0.5 * (row_of(waves.velocity_before, end.node) + row_of(waves.nodes.velocity, end.node));
+      work.on_held += end.weight * own.dot(mean);
+    });
+  }
+  const Vec3 slip = velocity[0] - velocity[1];
+  const double along = row.normal.dot(slip), pressed = row.normal.dot(row.impulse);
+  work.friction -= (row.impulse - pressed * row.normal).dot(slip);
+  if (row.push > 0 && along > 0) work.push_out += pressed * along;
+}
+
+/// The impulse that a row should have in all, as velocities are now.
+Vec3 wanted_impulse(const LumpedRow& row, const Vec3& slip, double step) {
+  const double along = row.normal.dot(slip);
+  const double pressed = row.normal.dot(row.impulse);
+  const double gap = along + row.gap / step + row.give / step * pressed;
+  const double response = row.normal_response + row.give / step;
+  double wanted = pressed - gap / response;
+  if (row.push > 0) {
+    wanted = std::max(wanted, std::min(pressed + (row.push - gap) / response, row.push_most));
+  }
+  wanted = std::max(0.0, wanted);
+  Vec3 friction =
+      row.impulse - pressed * row.normal - (slip - along * row.normal) / row.tangential_response;
+  const double most = row.friction * wanted, length = friction.norm();
+  if (length > most) friction *= most / length;
+  return wanted * row.normal + friction;
+}
+
+}  // namespace
+
+std::array<double, 2> response_of(const LumpedSide& side, const LumpedContacts& contacts,
+                                  const WaveNodes& nodes, const Vec3& normal) {
+  if (side.rigid != LumpedSide::none) {
+    const WaveRigid& body = contacts.rigid[side.rigid];
+    const Mat3 arm = cross_matrix(side.arm);
+    const Mat3 by_turn = -arm * body.inverse_inertia * arm;
+    return {body.inverse_mass + normal.dot(by_turn * normal), body.inverse_mass + by_turn.trace()};
+  }
+  double sum = 0;
+  for_each_end(side, contacts, [&](const LumpedEnd& end) {
+    sum += end.weight * end.weight * nodes.inverse_mass[end.node];
+  });
+  return {sum, sum};
+}
+
+void measure_gaps(LumpedContacts& contacts, const WaveNodes& nodes, double elapsed) {
+  for (LumpedRow& row : contacts.rows) {
+    for (LumpedSide& side : row.sides) side.place = place_of(side, contacts, nodes, elapsed);
+    const Vec3 way = row.sides[0].place - row.sides[1].place - row.apart;
+    row.gap = row.gap_start + row.normal.dot(way);
+  }
+}
+
+void begin_rows(LumpedContacts& contacts, WaveNodes& nodes, const RowStep& step) {
+  for (LumpedRow& row : contacts.rows) {
+    if (row.impulse.isZero(0)) continue;
+    row.impulse *= step.growth;
+    strike(row, row.impulse, contacts, nodes);
+  }
+}
+
+double sweep_rows(LumpedContacts& contacts, WaveNodes& nodes, double step) {
+  double largest = 0;
+  for (LumpedRow& row : contacts.rows) {
+    if (!(row.normal_response > 0)) continue;
+    const Vec3 slip = slip_of(row, contacts, nodes);
+    if (row.impulse.isZero(0) && row.normal.dot(slip) + row.gap / step >= row.push) continue;
+    const Vec3 next = wanted_impulse(row, slip, step);
+    const Vec3 change = next - row.impulse;
+    row.impulse = next;
+    strike(row, change, contacts, nodes);
+    largest = std::max(largest, change.norm() * row.normal_response);
+  }
+  return largest;
+}
+
+void settle_rows(LumpedContacts& contacts, const WaveBodies& waves) {
+  for (LumpedRow& row : contacts.rows) {
+    if (row.impulse.isZero(0)) continue;
+    if (waves.measures_work) measure_row(row, contacts, waves);
+    const Vec3& place = row.sides[0].place;
+    row.total += row.impulse;
+    row.moment += place.cross(row.impulse);
+    for (std::size_t k = 0; k < 2; ++k) {
+      const LumpedSide& side = row.sides[k];
+      const Vec3 own = k == 0 ? row.impulse : Vec3(-row.impulse);
+      if (side.rigid != LumpedSide::none) {
+        WaveRigid& body = contacts.rigid[side.rigid];
+        body.impulse += own;
+        body.twist += (place - body.centre).cross(own);
+      } else if (side.body != LumpedSide::none) {
+        contacts.twist[side.body] += (place - side.place).cross(own);
+      }
+    }
+  }
+}
+
+}  // namespace sunder

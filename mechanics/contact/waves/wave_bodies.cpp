@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: MIT
+// Central differences in floating frames.
+#include "mechanics/contact/waves/wave_bodies.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mechanics/baselines/verlet.hpp"
+#include "mechanics/frame/rotation.hpp"
+#include "mechanics/solver/block_lanes.hpp"
+#include "mechanics/state/dense_solve.hpp"
+
+namespace sunder {
+namespace {
+
+/// Three columns of a matrix, and a vector, as lanes.
+struct Turned {
+  alignas(32) double column[3][4];
+  alignas(32) double centre[4];
+};
+
+Turned turned(const Mat3& M, const Vec3& centre) {
+  Turned t{};
+  for (int j = 0; j < 3; ++j) {
+    for (int i = 0; i < 3; ++i) t.column[j][i] = M(i, j);
+    t.centre[j] = centre[j];
+  }
+  return t;
+}
+
+/// Sums over the nodes of a body: a vector, or a matrix by its columns.
+struct NodeSums {
+  alignas(32) double column[3][4];
+
+  Vec3 first() const { return {column[0][0], column[0][1], column[0][2]}; }
+  Mat3 matrix() const {
+    Mat3 M;
+    for (int j = 0; j < 3; ++j) {
+      for (int i = 0; i < 3; ++i) M(i, j) = column[j][i];
+    }
+    return M;
+  }
+};
+
+/// sum m x.
+SUNDER_LANES void sum_positions(NodeSums& sums, const WaveNodes& nodes, std::size_t first,
+                                std::size_t end) {
+  Lanes sum{0, 0, 0, 0};
+  for (std::size_t i = first; i < end; ++i) {
+    sum += spread(nodes.mass[i]) * load(&nodes.position[4 * i]);
+  }
+  store(sums.column[0], sum);
+}
+
+/// sum m (x - c) arm^T.
+SUNDER_LANES void sum_moments(NodeSums& sums, const WaveNodes& nodes, std::size_t first,
+                              std::size_t end, const Turned& frame) {
+  Lanes a{0, 0, 0, 0}, b = a, c = a;
+  const Lanes centre = load(frame.centre);
+  for (std::size_t i = first; i < end; ++i) {
+    const Lanes x = spread(nodes.mass[i]) * (load(&nodes.position[4 * i]) - centre);
+    const double* arm = &nodes.arm[4 * i];
+    a += x * spread(arm[0]);
+    b += x * spread(arm[1]);
+    c += x * spread(arm[2]);
+  }
+  store(sums.column[0], a);
+  store(sums.column[1], b);
+  store(sums.column[2], c);
+}
+
+/// argument = R^T (x - c + viscosity v) - arm.
+SUNDER_LANES void set_arguments(WaveNodes& nodes, std::size_t first, std::size_t end,
+                                const Turned& back, double viscosity) {
+  const Lanes a = load(back.column[0]), b = load(back.column[1]), c = load(back.column[2]);
+  const Lanes centre = load(back.centre), share = spread(viscosity);
+  for (std::size_t i = first; i < end; ++i) {
+    const Lanes p = load(&nodes.position[4 * i]) - centre + share * load(&nodes.velocity[4 * i]);
+    store(&nodes.argument[4 * i],
+          a * spread(p[0]) + b * spread(p[1]) + c * spread(p[2]) - load(&nodes.arm[4 * i]));
+  }
+}
+
+/// sum f (x - c)^T, f = inner.
+SUNDER_LANES void sum_torque(NodeSums& sums, const WaveNodes& nodes, std::size_t first,
+                             std::size_t end, const Turned& frame) {
+  Lanes a{0, 0, 0, 0}, b = a, c = a;
+  const Lanes centre = load(frame.centre);
+  for (std::size_t i = first; i < end; ++i) {
+    const Lanes f = load(&nodes.inner[4 * i]);
+    const Lanes x = load(&nodes.position[4 * i]) - centre;
+    a += f * spread(x[0]);
+    b += f * spread(x[1]);
+    c += f * spread(x[2]);
+  }
+  store(sums.column[0], a);
+  store(sums.column[1], b);
+  store(sums.column[2], c);
+}
+
+/// v += step (load - R inner / m + Q arm), Q = R [y]x.
+SUNDER_LANES void add_acceleration(WaveNodes& nodes, std::size_t first, std::size_t end,
+                                   const Turned& R, const Turned& Q, double step) {
+  const Lanes r = load(R.column[0]), s = load(R.column[1]), t = load(R.column[2]);
+  const Lanes p = load(Q.column[0]), q = load(Q.column[1]), u = load(Q.column[2]);
+  for (std::size_t i = first; i < end; ++i) {
+    const double* f = &nodes.inner[4 * i];
+    const double* arm = &nodes.arm[4 * i];
+    const Lanes force = r * spread(f[0]) + s * spread(f[1]) + t * spread(f[2]);
+    const Lanes rigid = p * spread(arm[0]) + q * spread(arm[1]) + u * spread(arm[2]);
+    const Lanes change = load(&nodes.load[4 * i]) + rigid - spread(nodes.inverse_mass[i]) * force;
+    store(&nodes.velocity[4 * i], load(&nodes.velocity[4 * i]) + spread(step) * change);
+  }
+}
+
+SUNDER_LANES void add_ways(WaveNodes& nodes, std::size_t first, std::size_t end, double step) {
+  for (std::size_t i = first; i < end; ++i) {
+    store(&nodes.position[4 * i],
+          load(&nodes.position[4 * i]) + spread(step) * load(&nodes.velocity[4 * i]));
+  }
+}
+
+/// A body's frame, and what forces free of torque need of it.
+struct BodyFrame {
+  Mat3 R = Mat3::Identity();
+  Mat3 inverse = Mat3::Zero();  ///< (tr(S) I - S)^-1, S = R^T sum m (x - c) arm^T
+};
+
+/// tr(P) I - sym(P).
+Mat3 turning_matrix(const Mat3& P) {
+  Mat3 G = -0.5 * (P + P.transpose());
+  G.diagonal().array() += P.trace();
+  return G;
+}
+
+/// The body's frame where its nodes are (algorithm 2): Newton's method on rotations from the frame
+/// before, one turn of which leaves the cube of the turn since then; `refine_rotation` where that
+/// is not small.
+BodyFrame follow_frame(WaveBody& body, const WaveNodes& nodes) {
+  NodeSums sums;
+  sum_positions(sums, nodes, body.first_node, body.end_node);
+  body.frame.centre = sums.first() / body.mass;
+  sum_moments(sums, nodes, body.first_node, body.end_node,
+              turned(Mat3::Identity(), body.frame.centre));
+  const Mat3 A = sums.matrix();
+  BodyFrame frame{body.frame.orientation.toRotationMatrix()};
+  const Mat3 P = frame.R.transpose() * A;
+  frame.inverse = turning_matrix(P).inverse();
+  const Vec3 half =
+      0.5 * (frame.inverse * Vec3(P(2, 1) - P(1, 2), P(0, 2) - P(2, 0), P(1, 0) - P(0, 1)));
+  constexpr double small = 1e-5;  // rad
+  if (half.squaredNorm() < small * small) {
+    // The Cayley map: a quaternion (1, half), normalised.
+    body.frame.orientation =
+        (body.frame.orientation * Eigen::Quaterniond(1, half.x(), half.y(), half.z())).normalized();
+  } else {
+    body.frame.orientation = refine_rotation(A, body.frame.orientation);
+  }
+  frame.R = body.frame.orientation.toRotationMatrix();
+  frame.inverse = turning_matrix(frame.R.transpose() * A).inverse();
+  return frame;
+}
+
+/// y = (tr(S) I - S)^-1 tau, with which the forces less m y x arm have no torque
+/// (`deformation_forces`); zero where that has no answer, as for nodes on a line.
+Vec3 torque_share(const WaveBody& body, const WaveNodes& nodes, const BodyFrame& frame) {
+  NodeSums sums;
+  sum_torque(sums, nodes, body.first_node, body.end_node,
+             turned(Mat3::Identity(), body.frame.centre));
+  // sum f q^T, q = R^T (x - c): its skew part is the torque sum q x f.
+  const Mat3 M = sums.matrix() * frame.R;
+  const Vec3 share = frame.inverse * Vec3(M(2, 1) - M(1, 2), M(0, 2) - M(2, 0), M(1, 0) - M(0, 1));
+  return share.allFinite() ? share : Vec3(Vec3::Zero());
+}
+
+/// Adds the force -a m (v - rigid motion) of Rayleigh's mass damping to `inner`.
+void add_mass_damping(WaveNodes& nodes, const WaveBody& body) {
+  if (body.mass_damping == 0) return;
+  const Vec3& c = body.frame.centre;
+  Vec3 velocity = body.frame_velocity, spin = Vec3::Zero();
+  if (!body.supported) {
+    Vec3 p = Vec3::Zero(), l = Vec3::Zero();
+    Mat3 inertia = Mat3::Zero();
+    for (std::size_t i = body.first_node; i < body.end_node; ++i) {
+      const Vec3 x = row_of(nodes.position, i) - c, mv = nodes.mass[i] * row_of(nodes.velocity, i);
+      p += mv;
+      l += x.cross(mv);
+      inertia -= nodes.mass[i] * x * x.transpose();
+      inertia.diagonal().array() += nodes.mass[i] * x.squaredNorm();
+    }
+    velocity = p / body.mass;
+    spin = solve3(inertia, l);
+  }
+  for (std::size_t i = body.first_node; i < body.end_node; ++i) {
+    const Vec3 x = row_of(nodes.position, i) - c;
+    const Vec3 rate = row_of(nodes.velocity, i) - velocity - spin.cross(x);
+    row_of(nodes.inner, i) +=
+        body.mass_damping * nodes.mass[i] * (body.frame.orientation.conjugate() * rate);
+  }
+}
+
+}  // namespace
+
+bool deforms_in_wave(const Component& component) {
+  return !component.tetrahedra.empty() && !component.rigid && component.rung == Rung::full;
+}
+
+void kick(WaveBodies& waves, WaveBody& body, double step) {
+  WaveNodes& nodes = waves.nodes;
+  const std::size_t first = body.first_node, end = body.end_node;
+  BodyFrame frame{body.frame.orientation.toRotationMatrix()};
+  if (!body.supported) frame = follow_frame(body, nodes);
+  body.weight_place += step * body.frame.centre;
+  const Mat3& R = frame.R;
+  set_arguments(nodes, first, end, turned(R.transpose(), body.frame.centre), body.viscosity);
+  std::fill(&nodes.inner[4 * first], &nodes.inner[4 * first] + 4 * (end - first), 0.0);
+  add_block_forces(nodes.inner.data(), nodes.argument.data(),
+                   waves.blocks.data() + body.first_block, body.end_block - body.first_block);
+  add_second_order_forces(
+      nodes.inner, nodes.argument,
+      std::span(waves.second).subspan(body.first_second, body.end_second - body.first_second));
+  add_mass_damping(nodes, body);
+  Mat3 Q = Mat3::Zero();
+  if (!body.supported) Q = R * cross_matrix(torque_share(body, nodes, frame));
+  add_acceleration(nodes, first, end, turned(R, Vec3::Zero()), turned(Q, Vec3::Zero()), step);
+  body.kicked = {R, Q, step};
+  follow_supports(waves, body);
+}
+
+void follow_supports(WaveBodies& waves, const WaveBody& body) {
+  const Mat3& R = body.kicked.R;
+  for (std::size_t k = body.first_held; k < body.end_held; ++k) {
+    const HeldNode& held = waves.held[k];
+    auto velocity = row_of(waves.nodes.velocity, held.node);
+    Vec3 own = R.transpose() * (velocity - held.velocity);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (held.axes[axis]) own[static_cast<Eigen::Index>(axis)] = 0;
+    }
+    velocity = held.velocity + R * own;
+  }
+}
+
+void measure_work(const WaveBodies& waves, WaveBody& body) {
+  const WaveNodes& nodes = waves.nodes;
+  const auto& [R, Q, step] = body.kicked;
+  const auto way_of = [&](std::size_t i) {
+    const Vec3 before = row_of(waves.velocity_before, i), after = row_of(nodes.velocity, i);
+    return Vec3(0.5 * step * (before + after));
+  };
+  const auto force_of = [&](std::size_t i) {
+    return Vec3(nodes.mass[i] * (Q * row_of(nodes.arm, i)) - R * row_of(nodes.inner, i));
+  };
+  for (std::size_t i = body.first_node; i < body.end_node; ++i) {
+    const Vec3 way = way_of(i);
+    const double by_gravity = nodes.mass[i] * waves.gravity.dot(way);
+    body.work.inner += force_of(i).dot(way);
+    body.work.gravity += by_gravity;
+    if (waves.has_loads) {
+      body.work.loads += nodes.mass[i] * row_of(nodes.load, i).dot(way) - by_gravity;
+    }
+  }
+  for (std::size_t k = body.first_held; k < body.end_held; ++k) {
+    const std::size_t i = waves.held[k].node;
+    const double mass = nodes.mass[i];
+    const double kinetic =
+        0.5 * mass *
+        (row_of(nodes.velocity, i).squaredNorm() - row_of(waves.velocity_before, i).squaredNorm());
+    body.work.supports += kinetic - (force_of(i) + mass * row_of(nodes.load, i)).dot(way_of(i));
+  }
+}
+
+void drift(WaveBodies& waves, WaveBody& body, double step) {
+  add_ways(waves.nodes, body.first_node, body.end_node, step);
+  if (body.supported) body.frame.centre += step * body.frame_velocity;
+}
+
+double stable_step(const WaveBodies& waves, const WaveBody& body) {
+  double largest = 0;
+  for (std::size_t i = body.first_node; i < body.end_node; ++i) {
+    largest = std::max(largest, waves.nodes.stiffness[i] * waves.nodes.inverse_mass[i]);
+  }
+  if (largest == 0) return std::numeric_limits<double>::infinity();
+  return damped_step_bound(2 / std::sqrt(largest), body.viscosity);
+}
+
+}  // namespace sunder

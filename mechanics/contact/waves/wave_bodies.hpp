@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+// Bodies that deform in explicit steps: lumped nodes, packed elements, and the steps themselves.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "mechanics/contact/waves/element_blocks.hpp"
+#include "mechanics/contact/waves/wave_work.hpp"
+#include "mechanics/state/pose.hpp"
+#include "mechanics/state/step_input.hpp"
+
+namespace sunder {
+
+/// Rows of the nodes of all bodies.
+struct WaveNodes {
+  QuadColumn position;  ///< m, world
+  QuadColumn velocity;  ///< m/s, world
+  QuadColumn argument;  ///< m, body frame: the displacement, and `viscosity` times its rate
+  QuadColumn inner;     ///< N, body frame: K times the argument
+  QuadColumn arm;       ///< m: rest position against the rest centre
+  QuadColumn load;      ///< m/s^2, world: gravity and surface loads
+  std::vector<double> mass,
+      inverse_mass;               ///< kg, 1/kg; the inverse is 0 where a node is held whole
+  std::vector<double> stiffness;  ///< N/m: sum over elements of c k_a (`coupling_of`)
+  std::vector<char> is_held;      ///< by a support, along some axis at least
+  std::vector<VertexId> vertex;
+
+  std::size_t size() const { return vertex.size(); }
+};
+
+/// A node that supports hold along some axes of its body's frame.
+struct HeldNode {
+  std::uint32_t node = 0;
+  AxisSet axes{};
+  Vec3 velocity = Vec3::Zero();  ///< m/s, world
+};
+
+/// One body: consecutive rows of nodes, blocks, elements of second order and held nodes.
+struct WaveBody {
+  ComponentId id;
+  std::size_t first_node = 0, end_node = 0;
+  std::size_t first_block = 0, end_block = 0;
+  std::size_t first_second = 0, end_second = 0;
+  std::size_t first_held = 0, end_held = 0;
+  double mass = 0;          ///< kg
+  double viscosity = 0;     ///< s: factor of the stiffness
+  double mass_damping = 0;  ///< 1/s: factor of the mass, on rates of deformation
+  bool supported = false;
+  Vec3 frame_velocity{0, 0, 0};  ///< m/s, of a supported one
+  Pose frame;                    ///< algorithm 2 where the nodes were at the last kick
+  Vec3 weight_place{0, 0, 0};    ///< m s: places of the mass centre, times the lengths of kicks
+  /// The last kick: R, R [y]x of the torque's share, and its length, s.
+  struct Kick {
+    Mat3 R = Mat3::Identity(), Q = Mat3::Zero();
+    double step = 0;
+  } kicked;
+  WaveWork work;
+};
+
+/// All bodies of a part of a step.
+struct WaveBodies {
+  static constexpr std::uint32_t no_node = std::numeric_limits<std::uint32_t>::max();
+  WaveNodes nodes;
+  std::vector<WaveBody> bodies;
+  std::vector<ElementBlock, CacheLineAllocator<ElementBlock>> blocks;
+  std::vector<SecondOrderElement> second;
+  std::vector<HeldNode> held;
+  std::vector<std::uint32_t> node_of_vertex;     ///< row = VertexId
+  std::vector<std::uint32_t> body_of_component;  ///< row = ComponentId; `no_node`: moves rigidly
+  std::vector<double> coupling;                  ///< row = TetId; elements keep it for ever
+  QuadColumn velocity_before;  ///< m/s, as the step at hand began, where work is measured
+  Vec3 gravity{0, 0, 0};       ///< m/s^2
+  bool measures_work = false;
+  bool has_loads = false;
+};
+
+/// Whether a component deforms in explicit steps. Others move as rigid bodies.
+bool deforms_in_wave(const Component& component);
+
+/// Packs the members that deform, in the state as it is. O(vertices + tetrahedra); some
+/// microseconds for each tetrahedron that is met for the first time.
+void pack_bodies(WaveBodies& waves, const MechanicsState& state, const StepInput& input);
+
+/// velocity += `step` s times the acceleration where the nodes are: by algorithm 1 in its
+/// conservative form (`deformation_forces`), with viscosity C d' in it, and by loads. Held nodes
+/// keep the velocity of their support. `step` is half of a step at the ends of a part.
+void kick(WaveBodies& waves, WaveBody& body, double step);
+
+/// Gives held nodes the velocity of their support along the axes on which they are held.
+void follow_supports(WaveBodies& waves, const WaveBody& body);
+
+/// Adds up what the forces of the last kick did, on the mean of the velocities before it and now,
+/// with all that contacts have given since. What is left of the motion of held nodes their supports
+/// did, and contacts there (`RowWork::on_held`).
+void measure_work(const WaveBodies& waves, WaveBody& body);
+
+/// position += `step` s times velocity.
+void drift(WaveBodies& waves, WaveBody& body, double step);
+
+/// s: the longest step that is stable for a body, its viscosity included: with w^2 the bound of
+/// `coupling_of` and b the viscosity, (2 / w) (sqrt(1 + (b w / 2)^2) - b w / 2).
+double stable_step(const WaveBodies& waves, const WaveBody& body);
+
+}  // namespace sunder

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+// Impacts in explicit steps: the laws that hold in them, and the implicit ones as their limit.
+#include "mechanics/contact/waves/explicit_wave.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "tests/mechanics/contact/contact_scene.hpp"
+
+using namespace sunder;
+using namespace sunder::test;
+
+namespace {
+
+StepPart wave_of(double length) {
+  StepPart part;
+  part.deformation = Deformation::wave;
+  part.is_explicit = true;
+  part.contacts_for = length;
+  return part;
+}
+
+/// Two blocks, a rigid tetrahedron and a free ball that meet.
+ContactScene meeting(std::mt19937& random, double speed) {
+  Body right = shaken(kuhn_block({2, 2, 2}, Vec3(0.2, 0.2, 0.2)), 0.01, random);
+  for (Vec3& x : right.rest) x += Vec3(0.2 + 0.021, 0.03, 0.01);
+  Body chip = single_tetrahedron(0.1);
+  for (Vec3& x : chip.rest) x += Vec3(-0.02, 0.112, -0.03);
+  const SeveralBodies all =
+      together({shaken(kuhn_block({2, 2, 2}, Vec3(0.2, 0.2, 0.2)), 0.01, random), right, chip});
+  ContactScene scene{all.body, state_of(all, material_of(1e9))};
+  place(scene.state, ComponentId{0}, {.velocity = {speed, 0.2 * speed, 0}, .spin = {1, 2, 3}});
+  place(scene.state, ComponentId{1}, {.velocity = {-speed, 0, 0.1 * speed}});
+  place(scene.state, ComponentId{2}, {.velocity = {0, -speed, 0}, .spin = {0, 5, 1}});
+  scene.obstacles = {{.shape = Sphere{Vec3(0.2, -0.17, 0), 0.05},
+                      .velocity = {0.1, speed, 0},
+                      .spin = {3, 0, 1},
+                      .friction = 0.4,
+                      .mass = 1.5}};
+  scene.contact.friction = 0.5;
+  return scene;
+}
+
+}  // namespace
+
+TEST_CASE("explicit steps keep momentum and angular momentum, whatever meets",
+          "[mechanics][waves]") {
+  std::mt19937 random(31);
+  for (int trial = 0; trial < 3; ++trial) {
+    ContactScene scene = meeting(random, 2);
+    const Vec3 p = scene.total_momentum(), l = scene.total_angular_momentum();
+    const double length = 2e-5;
+    std::size_t contacts = 0;
+    for (int k = 0; k < 700; ++k) contacts += scene.take(wave_of(length), length).contacts.size();
+    CHECK(contacts > 100);
+    double size = 0;
+    for (std::size_t v = 0; v < scene.state.vertices.size(); ++v) {
+      size += scene.state.vertices.mass[v] * scene.state.vertices.velocity[v].norm();
+    }
+    CHECK((scene.total_momentum() - p).norm() < 1e-12 * size);
+    CHECK((scene.total_angular_momentum() - l).norm() < 1e-9 * size);
+  }
+}
+
+TEST_CASE("energy does not rise in explicit steps, and what is measured adds up",
+          "[mechanics][waves]") {
+  std::mt19937 random(32);
+  ContactScene scene = meeting(random, 2);
+  const double length = 2e-5, start = scene.energy();
+  double highest = start, kinetic = kinetic_energy(scene.state.vertices), by_forces = 0;
+  for (int k = 0; k < 700; ++k) {
+    const auto neighbours = neighbours_of(scene.body.corners);
+    IntegratorSettings settings = scene.integrator;
+    settings.time_step = length;
+    const ContactStepResult result =
+        advance_with_contact({scene.state, scene.obstacles, scene.memory},
+                             {.corners = scene.body.corners,
+                              .loads = scene.loads,
+                              .settings = settings,
+                              .part = wave_of(length),
+                              .neighbours = neighbours,
+                              .measures_strain = true},
+                             scene.contact, {scene.mechanics, scene.scratch});
+    REQUIRE(result.status.outcome == StepOutcome::fine);
+    REQUIRE(result.trace);
+    by_forces += result.trace->work.inner + result.trace->contact.contact;
+    highest = std::max(highest, scene.energy());
+  }
+  CHECK(highest < start * (1 + 1e-3));
+  CHECK(scene.energy() < start);
+  CHECK(kinetic_energy(scene.state.vertices) - kinetic == Approx(by_forces).margin(1e-6 * kinetic));
+}
+
+TEST_CASE("contacts found for several parts serve them as contacts found in each",
+          "[mechanics][waves]") {
+  const auto run = [](int served) {
+    std::mt19937 random(33);
+    ContactScene scene = meeting(random, 2);
+    const double length = 1e-5;
+    for (int k = 0; k < 1200; ++k) {
+      StepPart part = wave_of(length);
+      part.contacts_for = k % served == 0 ? served * length : 0;
+      scene.take(part, length);
+    }
+    return scene;
+  };
+  const ContactScene each = run(1), kept = run(4);
+  for (std::size_t c = 0; c < 3; ++c) {
+    const Component &a = each.state.components[c], &b = kept.state.components[c];
+    CHECK((a.momentum - b.momentum).norm() < 0.05 * a.mass * 2);
+    CHECK((a.centre - b.centre).norm() < 1e-4);
+  }
+}
+
+TEST_CASE("a block falls on a plane and leaves it as fast as with implicit sub-steps",
+          "[mechanics][waves]") {
+  const auto rebound = [](bool is_explicit, double length) {
+    Body block = kuhn_block({3, 3, 3}, Vec3(0.3, 0.3, 0.3));
+    for (Vec3& x : block.rest) x.z() += 0.15 + 1e-3;
+    ContactScene scene{block, state_of(together({block}), material_of(1e9))};
+    place(scene.state, ComponentId{0}, {.velocity = {0, 0, -1}});
+    scene.obstacles = {{.shape = Plane{}}};
+    for (int k = 0; k < static_cast<int>(4e-3 / length); ++k) {
+      StepPart part = wave_of(length);
+      part.is_explicit = is_explicit;
+      scene.take(part, length);
+    }
+    return scene.state.components[0].momentum.z() / scene.state.components[0].mass;
+  };
+  const double by_explicit = rebound(true, 2e-5);
+  CHECK(by_explicit > 0.5);
+  CHECK(by_explicit <= 1);
+  CHECK(by_explicit == Approx(rebound(false, 2e-6)).margin(0.03));
+}
