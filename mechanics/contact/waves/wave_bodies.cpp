@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mechanics/baselines/verlet.hpp"
 #include "mechanics/frame/rotation.hpp"
 #include "mechanics/solver/block_lanes.hpp"
 #include "mechanics/state/dense_solve.hpp"
@@ -280,7 +279,9 @@ double stable_step(const WaveBodies& waves, const WaveBody& body) {
     largest = std::max(largest, waves.nodes.stiffness[i] * waves.nodes.inverse_mass[i]);
   }
   if (largest == 0) return std::numeric_limits<double>::infinity();
-  return damped_step_bound(2 / std::sqrt(largest), body.viscosity);
+  const double bound = 2 / std::sqrt(largest), b = body.viscosity;
+  // Written so that nothing cancels where the viscosity is strong.
+  return bound * bound / (std::sqrt(bound * bound + b * b) + b);
 }
 
 }  // namespace sunder
