@@ -172,7 +172,7 @@ PlannedPart next_of_members(StepPlan& plan, const Scene& scene, SimulationState&
                   0.1 * scene.contact.allowed_penetration);
   const std::vector<char> before = plan.components;
   take_the_members(plan, s);
-  // Whom spreading roles has made a member may meet others at once.
+  // A new member may meet others at once.
   for (std::size_t k = 0; k < before.size(); ++k) {
     if (plan.components[k] && !before[k]) plan.served = 0;
   }

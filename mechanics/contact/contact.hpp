@@ -39,13 +39,13 @@ struct ContactStepScratch {
   ContactScratch& contact;
 };
 
-/// Where weight acted in explicit steps, and what forces did: for the ledgers.
+/// Places of weight and works of forces in explicit steps, for the ledgers.
 struct WaveTrace {
   std::vector<Vec3> weight_place;       ///< row = ComponentId, m
   std::vector<Vec3> ball_weight_place;  ///< row = obstacle, m
   WaveWork work;
   RowWork contact;
-  double bonds = 0;  ///< J that bonds took from motion beyond their law
+  double bonds = 0;  ///< J, taken from motion by bonds beyond their law
 };
 
 struct ContactStepResult {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// `cohesive [--explicit] [MESH... | --cost]`: notched bars pulled apart through ties: what the crack takes
-// against G_c times the section, at steps of any length; bars of cubes, and MESHes of the box 0.8 x
-// 0.4 x 0.1 m.
-// `--explicit`: impacts by explicit steps. `--cost`: what a sub-step with a growing crack costs beside mode `object`.
+// `cohesive [--explicit] [MESH... | --cost]`: notched bars pulled apart through ties. It compares the
+// energy of the crack with G_c times the section, at steps of any length. Bars are of cubes, or MESHes
+// of the box 0.8 x 0.4 x 0.1 m. `--explicit`: impacts by explicit steps. `--cost`: the time of a
+// sub-step with a growing crack, compared with mode `object`.
 #include <sys/resource.h>
 
 #include <algorithm>

@@ -5,8 +5,8 @@
 Runs meshes/scenes/paper/bunny.json in the crack modes `object` and `cohesive` (toughness 0.06 MPa
 sqrt(m)) with both schemes of `impact.scheme`, the implicit one at its default and at the finest
 sub-step that it takes. Each line has medians of N runs (1): processor seconds, sub-steps, fans,
-pieces, the largest piece, damping, contact work and what the energy ledger does not account for, as
-a share of what moved; with `cohesive` what cracks took of G_c times the area released.
+pieces, the largest piece, damping, contact work and the residual of the energy ledger over the
+energy moved. With `cohesive` the last column is the cracks' energy over G_c times the area released.
 """
 import argparse
 import json

@@ -250,7 +250,7 @@ bool meet(ContactStep& step, double deepest) {
   for (;;) {
     const std::vector<ComponentId> woken = wake(step, deepest);
     if (woken.empty()) break;
-    // What explicit steps move is predicted as it moves now, on any rung.
+    // The prediction of explicit steps is the present motion, on any rung.
     if (step.is_explicit()) continue;
     predict(step.pass.mechanics, step.pass.state, step.pass.input, woken);
     clear = detect_contacts(step) && clear;

@@ -165,24 +165,12 @@ Manifold clip_faces(const Polytope& of, int face, const Polytope& other,
   return m;
 }
 
-/// Shares of the ways along two segments at which they are nearest.
-std::array<double, 2> nearest_shares(const Vec3& p, const Vec3& u, const Vec3& q, const Vec3& v) {
-  const Vec3 r = p - q;
-  const double uu = u.squaredNorm(), vv = v.squaredNorm(), uv = u.dot(v);
-  const double ur = u.dot(r), vr = v.dot(r);
-  const double across = uu * vv - uv * uv;
-  double s = across > 0 ? std::clamp((uv * vr - vv * ur) / across, 0.0, 1.0) : 0;
-  const double t = std::clamp((uv * s + vr) / vv, 0.0, 1.0);
-  s = std::clamp((uv * t - ur) / uu, 0.0, 1.0);
-  return {s, t};
-}
-
 Manifold touch_of_edges(const Polytope& a, const Polytope& b, const PairAxis& axis,
                         const Vec3& out_of_a, const Approach& approach) {
   const PolytopeKind::Edge& e = a.kind->edge[axis.a];
   const PolytopeKind::Edge& f = b.kind->edge[axis.b];
   const Vec3 &u = a.edge[axis.a], &v = b.edge[axis.b];
-  const auto [s, t] = nearest_shares(a.vertex[e.from], u, b.vertex[f.from], v);
+  const auto [s, t] = nearest_of_segments(a.vertex[e.from], u, b.vertex[f.from], v);
   Manifold m;
   m.normal = -out_of_a;
   Manifold::Point& p = m.point[0];
@@ -262,6 +250,17 @@ bool try_edges(Best& best, const Polytope& a, const Polytope& b, const Approach&
 }
 
 }  // namespace
+
+std::array<double, 2> nearest_of_segments(const Vec3& p, const Vec3& u, const Vec3& q, const Vec3& v) {
+  const Vec3 r = p - q;
+  const double uu = u.squaredNorm(), vv = v.squaredNorm(), uv = u.dot(v);
+  const double ur = u.dot(r), vr = v.dot(r);
+  const double across = uu * vv - uv * uv;
+  double s = across > 0 ? std::clamp((uv * vr - vv * ur) / across, 0.0, 1.0) : 0;
+  const double t = std::clamp((uv * s + vr) / vv, 0.0, 1.0);
+  s = std::clamp((uv * t - ur) / uu, 0.0, 1.0);
+  return {s, t};
+}
 
 Manifold collide(const Polytope& a, const Polytope& b, const Approach& approach, PairAxis& last) {
   if (parts(a, b, approach, last)) return {};

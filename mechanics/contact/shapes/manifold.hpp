@@ -36,6 +36,11 @@ struct Approach {
   double along(const Vec3& out_of_a) const { return margin + std::max(0.0, out_of_a.dot(way)); }
 };
 
+/// Shares, in [0, 1], of the ways u and v along two segments from p and q (m), at which these are
+/// nearest.
+std::array<double, 2> nearest_of_segments(const Vec3& p, const Vec3& u, const Vec3& q,
+                                          const Vec3& v);
+
 /// The patch between two solids that may touch along each of their separating axes:
 /// the normals of their faces and the products of edges whose arcs cross on the Gauss map
 /// [Gregorius 2013, GDC]. No point where one of them keeps them apart, or where a face or edge inside

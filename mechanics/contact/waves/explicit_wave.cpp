@@ -81,16 +81,10 @@ void run_steps(WaveScratch& wave, ContactStep& step, int count) {
 /// rad/s: the change of spin that an angular impulse makes of a body where its nodes are now.
 Vec3 spin_of_twist(const WaveNodes& nodes, const WaveBody& body, const Vec3& twist) {
   if (body.supported || twist.isZero(0)) return Vec3::Zero();
-  Mat3 inertia = Mat3::Zero();
-  for (std::size_t i = body.first_node; i < body.end_node; ++i) {
-    const Vec3 x = row_of(nodes.position, i) - body.frame.centre;
-    inertia -= nodes.mass[i] * x * x.transpose();
-    inertia.diagonal().array() += nodes.mass[i] * x.squaredNorm();
-  }
-  return solve3(inertia, twist);
+  return solve3(inertia_of(nodes, body), twist);
 }
 
-/// Rows of a body, and its frame. What its nodes did not get of moments turns it as a whole.
+/// Rows of a body, and its frame. The moments that its nodes did not get turn it as a whole.
 void write_body(WaveScratch& wave, ContactStep& step, std::size_t b) {
   MechanicsScratch::Predicted& predicted = step.pass.mechanics.predicted;
   const WaveNodes& nodes = wave.bodies.nodes;

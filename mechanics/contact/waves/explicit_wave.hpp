@@ -8,7 +8,7 @@
 
 namespace sunder {
 
-/// What explicit steps reuse from part to part. May be thrown away between two steps.
+/// Scratch of explicit steps, kept from part to part. May be thrown away between two steps.
 struct WaveScratch {
   WaveBodies bodies;
   LumpedContacts contacts;
@@ -21,7 +21,7 @@ struct WaveScratch {
 /// `StepPart::contacts_for`, or those of the part before with the crack faces as they are now.
 void gather_contacts(ContactStep& step);
 
-/// What moves rigidly in the part, into `wave.contacts.rigid`.
+/// Gathers rigid pieces and free obstacles into `wave.contacts.rigid`.
 void enlist_rigid(WaveScratch& wave, const ContactStep& step);
 
 /// Rows of `step.contacts`, with the impulses of the last part over `count` steps. Needs:
@@ -37,11 +37,11 @@ void take_ties(WaveScratch& wave, ContactStep& step, double count);
 /// - central differences (velocity Verlet): half a kick, then drifts with kicks between them, half
 ///   a kick; impulses of contacts between each kick and drift;
 /// - frames, displacements and rates from where the nodes end (`fit_motion`).
-/// The step is 0.9 of what is stable, or less (`stable_step`). Momentum and angular momentum are
+/// The step is at most 0.9 of the stable one (`stable_step`). Momentum and angular momentum are
 /// conserved to rounding.
 void take_explicit_part(ContactStep& step);
 
-/// What the ties of the part are done with; then they are no contacts.
+/// The report of the ties after the part. Their impulses go to `step.tied`.
 TieReport finish_explicit_ties(ContactStep& step);
 
 }  // namespace sunder

@@ -23,7 +23,7 @@ void strike(const LumpedBond& bond, const Vec3& impulse, WaveNodes& nodes) {
   row_of(nodes.velocity, bond.b) -= nodes.inverse_mass[bond.b] * impulse;
 }
 
-/// J: what the impulse of a bond does to the motion of its nodes, and of those that supports hold.
+/// J: the work of a bond's impulse on its nodes, and its part on held nodes.
 std::array<double, 2> work_of(const LumpedBond& bond, const WaveBodies& waves) {
   const auto on = [&](std::uint32_t node, const Vec3& impulse) {
     return 0.5 *
@@ -57,8 +57,7 @@ double visit(LumpedBond& bond, WaveNodes& nodes, double step) {
   return step * response * change.norm() / bond.opening_end;
 }
 
-/// What a bond bears at most, by the opening that it has as the step ends. Gives by how much that
-/// has changed, as a share of what it was.
+/// Sets the bound of a bond by its opening as the step ends. Gives the relative change of the bound.
 double set_bound(LumpedBond& bond, const TiePair& pair, const WaveNodes& nodes,
                  const RowStep& step) {
   const Vec3 end = bond.opening + step.length * slip_of(bond, nodes);

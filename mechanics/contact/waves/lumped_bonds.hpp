@@ -29,16 +29,15 @@ struct LumpedBonds {
   std::vector<std::uint32_t> set_first, of_set;
   std::vector<double> opened_before;  ///< m, of all corners as the part began
   TieReport report;
-  double numerical = 0;  ///< J: what bonds took from motion and the law does not account for
+  double numerical = 0;  ///< J, taken from motion by bonds beyond their law
 };
 
 /// Makes the bonds of `pairs`, with the impulses (N s, on A) that `first` has for a step.
 void make_bonds(LumpedBonds& bonds, std::span<const TiePair> pairs, std::span<const Vec3> first,
                 const WaveBodies& waves);
 
-/// Openings as a step begins, and the impulses of the last one on its velocities. What
-/// bonds bear at most follows from the openings that these lead to, so that sweeps solve a convex
-/// problem.
+/// Measures openings as a step begins, and applies the impulses of the last step. Bounds follow from
+/// the openings that these lead to. The sweeps then solve a convex problem.
 void begin_bonds(LumpedBonds& bonds, std::span<const TiePair> pairs, WaveNodes& nodes,
                  const RowStep& step);
 
@@ -50,8 +49,8 @@ std::array<double, 2> sweep_bonds(LumpedBonds& bonds, std::span<const TiePair> p
                                   WaveNodes& nodes, const RowStep& step, double tolerance,
                                   int most);
 
-/// After the last sweep of a step: corners note how far they open. Adds to `LumpedContacts::twist`
-/// what the sides, which are apart, did not get of the moments of their impulses.
+/// After the last sweep of a step: corners note their openings. The sides are apart, so their nodes
+/// miss a part of the moments. `LumpedContacts::twist` gets that part.
 void settle_bonds(LumpedBonds& bonds, std::span<TiePair> pairs, const WaveBodies& waves,
                   LumpedContacts& contacts, const RowStep& step);
 

@@ -75,7 +75,7 @@ Vec3 mean_velocity_of(const LumpedSide& side, const LumpedContacts& contacts,
   return 0.5 * (before + velocity_of(side, contacts, waves.nodes));
 }
 
-/// Adds up what a row's impulse does.
+/// Adds the work of a row's impulse to the sums.
 void measure_row(const LumpedRow& row, LumpedContacts& contacts, const WaveBodies& waves) {
   std::array<Vec3, 2> velocity;
   RowWork& work = contacts.work;

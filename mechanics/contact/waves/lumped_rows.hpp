@@ -10,7 +10,7 @@
 
 namespace sunder {
 
-/// What moves rigidly in a part of a step: a component or a free obstacle.
+/// A rigid body in a part of a step: a component or a free obstacle.
 struct WaveRigid {
   ComponentId component;                                ///< none() for an obstacle
   std::uint32_t obstacle = 0;                           ///< its row
@@ -33,7 +33,7 @@ struct LumpedEnd {
   double weight = 0;
 };
 
-/// One side of a row: nodes of a body, or a rigid body, or neither (what is driven).
+/// One side of a row: nodes of a body, a rigid body, or a driven obstacle.
 struct LumpedSide {
   static constexpr std::uint32_t none = 0xffffffffu;
   std::uint32_t first = 0, count = 0;  ///< of the ends
@@ -41,8 +41,8 @@ struct LumpedSide {
   std::uint32_t rigid = none;
   bool is_component = false;
   Vec3 arm{0, 0, 0};       ///< m, of a rigid body: to where the row acts, as the part begins
-  Vec3 velocity{0, 0, 0};  ///< m/s, of what is driven
-  Vec3 start{0, 0, 0};     ///< m, of what is driven: where it is as the part begins
+  Vec3 velocity{0, 0, 0};  ///< m/s, of a driven obstacle
+  Vec3 start{0, 0, 0};     ///< m, of a driven obstacle: its place as the part begins
   Vec3 place{0, 0, 0};     ///< m, where the side is as the step begins
 };
 
@@ -52,7 +52,7 @@ struct LumpedSide {
 struct LumpedRow {
   std::array<LumpedSide, 2> sides;
   Vec3 normal{0, 0, 1};
-  double gap_start = 0;  ///< m: as the part begins, less what may stay (`target_gap`)
+  double gap_start = 0;  ///< m: as the part begins, less its target (`target_gap`)
   double gap = 0;        ///< m: as the step begins
   Vec3 apart{0, 0, 0};   ///< m: A against B as the part begins
   double push = 0;       ///< m/s, >= 0: at which the sides should part, if that takes little
@@ -62,10 +62,10 @@ struct LumpedRow {
   double give = 0;                                      ///< m/(N s), of the row itself over a step
   Vec3 impulse{0, 0, 0};  ///< N s, of the step at hand, before: of the last one
   Vec3 total{0, 0, 0};    ///< N s, of the part
-  Vec3 moment{0, 0, 0};   ///< N m s, of the part, about the origin: what A got
+  Vec3 moment{0, 0, 0};   ///< N m s, of the part, about the origin, on A
 };
 
-/// The rows of a part and what they act on.
+/// The rows of a part, with the rigid bodies and the shares of nodes that they act on.
 struct LumpedContacts {
   std::vector<LumpedEnd> ends;
   std::vector<LumpedRow> rows;
@@ -96,9 +96,9 @@ void begin_rows(LumpedContacts& contacts, WaveNodes& nodes, const RowStep& step)
 /// velocity, m/s.
 double sweep_rows(LumpedContacts& contacts, WaveNodes& nodes, double step);
 
-/// Sums up what the rows did in a step. Momentum and angular momentum are conserved to rounding
-/// however the sweeps ended: both sides get an impulse where A is, and what the nodes of B do not
-/// get of its moment goes into `twist`.
+/// Adds the impulses of a step to the sums of the part. Both sides get an impulse at the place of A.
+/// The nodes of B miss a part of its moment, and `twist` gets that part. So momentum and angular
+/// momentum are conserved to rounding after any number of sweeps.
 void settle_rows(LumpedContacts& contacts, const WaveBodies& waves);
 
 }  // namespace sunder

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "mechanics/frame/rotation.hpp"
+#include "mechanics/integrators/coefficients.hpp"
 #include "mechanics/solver/block_lanes.hpp"
 #include "mechanics/state/dense_solve.hpp"
 
@@ -51,17 +52,18 @@ SUNDER_LANES void sum_positions(NodeSums& sums, const WaveNodes& nodes, std::siz
   store(sums.column[0], sum);
 }
 
-/// sum m (x - c) arm^T.
-SUNDER_LANES void sum_moments(NodeSums& sums, const WaveNodes& nodes, std::size_t first,
-                              std::size_t end, const Turned& frame) {
+/// sum (x - c) y^T over the rows y of a column; with `mass`, sum m (x - c) y^T.
+SUNDER_LANES void sum_products(NodeSums& sums, const WaveNodes& nodes, std::size_t first,
+                               std::size_t end, const Turned& frame, const double* column,
+                               const double* mass) {
   Lanes a{0, 0, 0, 0}, b = a, c = a;
   const Lanes centre = load(frame.centre);
   for (std::size_t i = first; i < end; ++i) {
-    const Lanes x = spread(nodes.mass[i]) * (load(&nodes.position[4 * i]) - centre);
-    const double* arm = &nodes.arm[4 * i];
-    a += x * spread(arm[0]);
-    b += x * spread(arm[1]);
-    c += x * spread(arm[2]);
+    const Lanes x = spread(mass ? mass[i] : 1) * (load(&nodes.position[4 * i]) - centre);
+    const double* y = column + 4 * i;
+    a += x * spread(y[0]);
+    b += x * spread(y[1]);
+    c += x * spread(y[2]);
   }
   store(sums.column[0], a);
   store(sums.column[1], b);
@@ -78,23 +80,6 @@ SUNDER_LANES void set_arguments(WaveNodes& nodes, std::size_t first, std::size_t
     store(&nodes.argument[4 * i],
           a * spread(p[0]) + b * spread(p[1]) + c * spread(p[2]) - load(&nodes.arm[4 * i]));
   }
-}
-
-/// sum f (x - c)^T, f = inner.
-SUNDER_LANES void sum_torque(NodeSums& sums, const WaveNodes& nodes, std::size_t first,
-                             std::size_t end, const Turned& frame) {
-  Lanes a{0, 0, 0, 0}, b = a, c = a;
-  const Lanes centre = load(frame.centre);
-  for (std::size_t i = first; i < end; ++i) {
-    const Lanes f = load(&nodes.inner[4 * i]);
-    const Lanes x = load(&nodes.position[4 * i]) - centre;
-    a += f * spread(x[0]);
-    b += f * spread(x[1]);
-    c += f * spread(x[2]);
-  }
-  store(sums.column[0], a);
-  store(sums.column[1], b);
-  store(sums.column[2], c);
 }
 
 /// v += step (load - R inner / m + Q arm), Q = R [y]x.
@@ -119,7 +104,7 @@ SUNDER_LANES void add_ways(WaveNodes& nodes, std::size_t first, std::size_t end,
   }
 }
 
-/// A body's frame, and what forces free of torque need of it.
+/// A body's frame, and the matrix that makes forces free of torque.
 struct BodyFrame {
   Mat3 R = Mat3::Identity();
   Mat3 inverse = Mat3::Zero();  ///< (tr(S) I - S)^-1, S = R^T sum m (x - c) arm^T
@@ -139,8 +124,8 @@ BodyFrame follow_frame(WaveBody& body, const WaveNodes& nodes) {
   NodeSums sums;
   sum_positions(sums, nodes, body.first_node, body.end_node);
   body.frame.centre = sums.first() / body.mass;
-  sum_moments(sums, nodes, body.first_node, body.end_node,
-              turned(Mat3::Identity(), body.frame.centre));
+  sum_products(sums, nodes, body.first_node, body.end_node,
+               turned(Mat3::Identity(), body.frame.centre), nodes.arm.data(), nodes.mass.data());
   const Mat3 A = sums.matrix();
   BodyFrame frame{body.frame.orientation.toRotationMatrix()};
   const Mat3 P = frame.R.transpose() * A;
@@ -164,10 +149,10 @@ BodyFrame follow_frame(WaveBody& body, const WaveNodes& nodes) {
 /// (`deformation_forces`); zero where that has no answer, as for nodes on a line.
 Vec3 torque_share(const WaveBody& body, const WaveNodes& nodes, const BodyFrame& frame) {
   NodeSums sums;
-  sum_torque(sums, nodes, body.first_node, body.end_node,
-             turned(Mat3::Identity(), body.frame.centre));
+  sum_products(sums, nodes, body.first_node, body.end_node,
+               turned(Mat3::Identity(), body.frame.centre), nodes.inner.data(), nullptr);
   // sum f q^T, q = R^T (x - c): its skew part is the torque sum q x f.
-  const Mat3 M = sums.matrix() * frame.R;
+  const Mat3 M = sums.matrix().transpose() * frame.R;
   const Vec3 share = frame.inverse * Vec3(M(2, 1) - M(1, 2), M(0, 2) - M(2, 0), M(1, 0) - M(0, 1));
   return share.allFinite() ? share : Vec3(Vec3::Zero());
 }
@@ -179,16 +164,13 @@ void add_mass_damping(WaveNodes& nodes, const WaveBody& body) {
   Vec3 velocity = body.frame_velocity, spin = Vec3::Zero();
   if (!body.supported) {
     Vec3 p = Vec3::Zero(), l = Vec3::Zero();
-    Mat3 inertia = Mat3::Zero();
     for (std::size_t i = body.first_node; i < body.end_node; ++i) {
       const Vec3 x = row_of(nodes.position, i) - c, mv = nodes.mass[i] * row_of(nodes.velocity, i);
       p += mv;
       l += x.cross(mv);
-      inertia -= nodes.mass[i] * x * x.transpose();
-      inertia.diagonal().array() += nodes.mass[i] * x.squaredNorm();
     }
     velocity = p / body.mass;
-    spin = solve3(inertia, l);
+    spin = solve3(inertia_of(nodes, body), l);
   }
   for (std::size_t i = body.first_node; i < body.end_node; ++i) {
     const Vec3 x = row_of(nodes.position, i) - c;
@@ -199,6 +181,16 @@ void add_mass_damping(WaveNodes& nodes, const WaveBody& body) {
 }
 
 }  // namespace
+
+Mat3 inertia_of(const WaveNodes& nodes, const WaveBody& body) {
+  Mat3 inertia = Mat3::Zero();
+  for (std::size_t i = body.first_node; i < body.end_node; ++i) {
+    const Vec3 x = row_of(nodes.position, i) - body.frame.centre;
+    inertia -= nodes.mass[i] * x * x.transpose();
+    inertia.diagonal().array() += nodes.mass[i] * x.squaredNorm();
+  }
+  return inertia;
+}
 
 bool deforms_in_wave(const Component& component) {
   return !component.tetrahedra.empty() && !component.rigid && component.rung == Rung::full;
@@ -278,10 +270,7 @@ double stable_step(const WaveBodies& waves, const WaveBody& body) {
   for (std::size_t i = body.first_node; i < body.end_node; ++i) {
     largest = std::max(largest, waves.nodes.stiffness[i] * waves.nodes.inverse_mass[i]);
   }
-  if (largest == 0) return std::numeric_limits<double>::infinity();
-  const double bound = 2 / std::sqrt(largest), b = body.viscosity;
-  // Written so that nothing cancels where the viscosity is strong.
-  return bound * bound / (std::sqrt(bound * bound + b * b) + b);
+  return damped_step_bound(2 / std::sqrt(largest), body.viscosity);
 }
 
 }  // namespace sunder

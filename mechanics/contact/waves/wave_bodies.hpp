@@ -76,6 +76,9 @@ struct WaveBodies {
   bool has_loads = false;
 };
 
+/// kg m^2, world: of the nodes of a body about the centre of its frame.
+Mat3 inertia_of(const WaveNodes& nodes, const WaveBody& body);
+
 /// Whether a component deforms in explicit steps. Others move as rigid bodies.
 bool deforms_in_wave(const Component& component);
 
@@ -91,9 +94,8 @@ void kick(WaveBodies& waves, WaveBody& body, double step);
 /// Gives held nodes the velocity of their support along the axes on which they are held.
 void follow_supports(WaveBodies& waves, const WaveBody& body);
 
-/// Adds up what the forces of the last kick did, on the mean of the velocities before it and now,
-/// with all that contacts have given since. What is left of the motion of held nodes their supports
-/// did, and contacts there (`RowWork::on_held`).
+/// Adds the work of the last kick's forces on the mean of two velocities: before the kick, and after
+/// its contacts. On held nodes the rest is the work of supports and contacts (`RowWork::on_held`).
 void measure_work(const WaveBodies& waves, WaveBody& body);
 
 /// position += `step` s times velocity.

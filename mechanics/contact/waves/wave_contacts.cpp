@@ -2,6 +2,9 @@
 // Contacts, rigid pieces and bonds of a part of an impact, as explicit steps take them.
 #include "mechanics/contact/waves/explicit_wave.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 #include "mechanics/contact/detection/contact_partners.hpp"
 #include "mechanics/contact/shapes/obstacle_geometry.hpp"
 #include "mechanics/state/living.hpp"
@@ -34,10 +37,13 @@ void predict_free_flight(ContactStep& step, double ahead) {
   }
 }
 
-bool among_members(const ContactStep& step, const ContactPoint& contact) {
+/// Whether the bodies of a contact are members that move. A sleeping one waits for the next detection.
+bool takes_part(const ContactStep& step, const ContactPoint& contact) {
   bool all = true;
-  for_each_component(contact, step.pass.state,
-                     [&](ComponentId id) { all = all && step.pass.input.members.has(id); });
+  for_each_component(contact, step.pass.state, [&](ComponentId id) {
+    const bool sleeps = step.pass.state.components[id.index()].rung == Rung::asleep;
+    all = all && step.pass.input.members.has(id) && !sleeps;
+  });
   return all;
 }
 
@@ -45,7 +51,7 @@ bool among_members(const ContactStep& step, const ContactPoint& contact) {
 void take_kept_contacts(ContactStep& step) {
   const StepPaths paths = paths_of(step);
   for (ContactPoint contact : step.scratch.wave->kept) {
-    if (!contact.face.is_none() || !among_members(step, contact)) continue;
+    if (!contact.face.is_none() || !takes_part(step, contact)) continue;
     contact.impulse.setZero();
     contact.offset = contact.gap_start - contact.normal.dot(path_of(contact, paths).start);
     step.contacts.push_back(contact);
@@ -56,7 +62,8 @@ void take_kept_contacts(ContactStep& step) {
   if (step.settings.between_pieces) {
     find_between_partners(detect, step.memory, paths, step.settings);
   }
-  step.contacts.insert(step.contacts.end(), detect.found.begin(), detect.found.end());
+  std::ranges::copy_if(detect.found, std::back_inserter(step.contacts),
+                       [&](const ContactPoint& contact) { return takes_part(step, contact); });
 }
 
 LumpedSide side_of_rigid(const WaveScratch& wave, std::uint32_t rigid, const Vec3& place) {
@@ -117,7 +124,7 @@ LumpedRow row_of(WaveScratch& wave, const ContactStep& step, const ContactPoint&
     row.normal_response += along;
     row.tangential_response += across;
   }
-  // As in `response_of` of implicit rows: a push lifts what rests, and wedges nothing.
+  // As in `response_of` of implicit rows: a push lifts resting bodies, and wedges none.
   row.push_most = row.normal_response > 0 ? 100 * row.push / row.normal_response : 0;
   row.impulse = last_impulse(step, c) / count;
   return row;

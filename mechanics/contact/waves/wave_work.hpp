@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// What forces and contacts did in explicit steps.
+// Works of forces and contacts in explicit steps.
 #pragma once
 
 namespace sunder {
 
-/// What forces did in explicit steps: each on the mean of the velocities before and after a kick.
+/// Works of forces in explicit steps, each on the mean of the velocities before and after a kick.
 struct WaveWork {
   double inner = 0;     ///< J, by stress and viscosity
   double gravity = 0;   ///< J
@@ -12,7 +12,7 @@ struct WaveWork {
   double supports = 0;  ///< J
 };
 
-/// What contacts did in a part, J: to bodies, by friction, and by pushing out what is too deep.
+/// Works of contacts in a part, J: on bodies, by friction, and by pushing deep sides out.
 struct RowWork {
   double contact = 0, friction = 0, push_out = 0;
   double on_held = 0;  ///< of contacts and bonds on nodes that supports hold

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Impact windows with explicit steps in whole simulations: ledgers, cracks, and what they compare
-// with.
+// Impact windows with explicit steps in whole simulations: ledgers, cracks, the stress of a bar.
 #include <catch2/catch.hpp>
 #include <cmath>
 

@@ -2,8 +2,6 @@
 // Boxes of edges, and which of their pairs are kept.
 #include "mechanics/contact/detection/pairs/edge_pairs.hpp"
 
-#include <algorithm>
-
 #include "mechanics/contact/detection/face_touch.hpp"
 #include "mechanics/contact/detection/pairs/solid_pairs.hpp"
 
@@ -15,8 +13,8 @@ namespace {
 bool is_convex(const StepPaths& paths, const SurfaceEdge& edge, double sine) {
   if (edge.face[1].is_none()) return true;
   const std::array<Vec3, 3> x = places_at(paths, corners_of(paths, edge.face[0]), 0);
-  const Vec3 beside = paths.at_start(edge.beside[1]) - paths.at_start(edge.end[0]);
-  return normal_of(x).dot(beside) < -sine * beside.norm();
+  const Vec3 across = paths.at_start(edge.beside[1]) - paths.at_start(edge.end[0]);
+  return normal_of(x).dot(across) < -sine * across.norm();
 }
 
 /// Whether strains could make an edge sharp.
@@ -25,20 +23,7 @@ bool may_be_sharp(const StepPaths& paths, const SurfaceEdge& edge) {
   return is_convex(paths, edge, -strained);
 }
 
-/// Shares of the ways along two segments at which they are nearest.
-std::array<double, 2> nearest_of_segments(const Vec3& p, const Vec3& u, const Vec3& q,
-                                          const Vec3& v) {
-  const Vec3 r = p - q;
-  const double uu = u.squaredNorm(), vv = v.squaredNorm(), uv = u.dot(v);
-  const double ur = u.dot(r), vr = v.dot(r);
-  const double across = uu * vv - uv * uv;
-  double s = across > 0 ? std::clamp((uv * vr - vv * ur) / across, 0.0, 1.0) : 0;
-  const double t = std::clamp((uv * s + vr) / vv, 0.0, 1.0);
-  s = std::clamp((uv * t - ur) / uu, 0.0, 1.0);
-  return {s, t};
-}
-
-/// A number that an edge keeps while the surface of its piece stays what it is.
+/// The number of an edge. It lasts until the surface of the piece changes.
 std::uint32_t edge_number(const SurfaceEdge& edge) {
   return 6 * tetrahedron_of(edge.face[0]).value + edge.place;
 }
@@ -59,7 +44,7 @@ bool is_sharp(const StepPaths& paths, const SurfaceEdge& edge) {
   return is_convex(paths, edge, flat_sine);
 }
 
-void find_swept_edges(DetectScratch& scratch, const StepPaths& paths, double beside) {
+void find_swept_edges(DetectScratch& scratch, const StepPaths& paths, double margin) {
   SolidPairs& pairs = scratch.solid_pairs;
   pairs.boxes.clear();
   pairs.body.clear();
@@ -75,7 +60,7 @@ void find_swept_edges(DetectScratch& scratch, const StepPaths& paths, double bes
     const Vec3 way = 0.5 * (way_of_p + way_of_q), turned = way_of_p - way;
     // Edges that turn that far go on no straight ways: overlaps are found as the step ends.
     if (turned.norm() > (q - p).norm()) continue;
-    const Vec3 wide = Vec3::Constant(beside) + turned.cwiseAbs();
+    const Vec3 wide = Vec3::Constant(margin) + turned.cwiseAbs();
     pairs.boxes.push_back({p.cwiseMin(q) - wide, p.cwiseMax(q) + wide});
     pairs.ways.push_back(way);
     pairs.body.push_back(id.value);
@@ -86,7 +71,7 @@ void find_swept_edges(DetectScratch& scratch, const StepPaths& paths, double bes
   for (const auto& [a, b] : pairs.found) scratch.swept.emplace_back(rows[a], rows[b]);
 }
 
-void refresh_edges(DetectScratch& scratch, const StepPaths& paths, double beside) {
+void refresh_edges(DetectScratch& scratch, const StepPaths& paths, double margin) {
   number_edges(scratch, paths.corners.size());
   const NearQuery query = near_query(scratch);
   if (!find_stale(scratch.near_edges, query)) return;
@@ -98,7 +83,7 @@ void refresh_edges(DetectScratch& scratch, const StepPaths& paths, double beside
   for (const SurfaceEdge& edge : edges) {
     if (!may_be_sharp(paths, edge)) continue;
     const std::uint32_t body = paths.state.vertices.component[edge.end[0].index()].value;
-    const Vec3 wide = Vec3::Constant(beside + width_of(query, body));
+    const Vec3 wide = Vec3::Constant(margin + width_of(query, body));
     const Vec3 &p = paths.at_start(edge.end[0]), &q = paths.at_start(edge.end[1]);
     pairs.boxes.push_back({p.cwiseMin(q) - wide, p.cwiseMax(q) + wide});
     pairs.body.push_back(body);

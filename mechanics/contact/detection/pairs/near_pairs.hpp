@@ -48,7 +48,7 @@ struct NearPair {
 /// that face each other.
 bool is_due(const NearPair& pair, const Travel& travel);
 
-/// Pairs, and what they were searched from. May be thrown away at any time.
+/// Pairs, and the state of each component at its last search. May be thrown away at any time.
 struct NearPairs {
   std::vector<NearPair> found;  ///< sorted by numbers
   std::vector<double> limit;    ///< row = component: m, `so_far` from which it is searched again
@@ -57,7 +57,7 @@ struct NearPairs {
   std::size_t searches = 0;          ///< in all, for tests
 };
 
-/// What `refresh` looks at.
+/// The input of `find_stale`.
 struct NearQuery {
   const Travel& travel;
   const std::vector<std::uint64_t>& shape;  ///< row = component: changes with its surface

@@ -37,7 +37,7 @@ void pair_on_ways(DetectScratch& scratch, const StepPaths& paths);
 /// Whether vertices go so little in the step that pairs are kept for the next ones.
 bool keeps_pairs(const DetectScratch& scratch);
 
-/// What pairs are kept by. Needs: `update_near`.
+/// Ways, shapes and margin for kept pairs. Needs: `update_near`.
 NearQuery near_query(const DetectScratch& scratch);
 
 /// Ways of components, and shapes where the surface has changed. Needs: `scratch.surface`.

@@ -62,7 +62,7 @@ TEST_CASE("explicit steps keep momentum and angular momentum, whatever meets",
   }
 }
 
-TEST_CASE("energy does not rise in explicit steps, and what is measured adds up",
+TEST_CASE("energy does not rise in explicit steps, and the works measured add up",
           "[mechanics][waves]") {
   std::mt19937 random(32);
   ContactScene scene = meeting(random, 2);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Cohesive bonds between lumped masses: what they take, and what they conserve.
+// Cohesive bonds between lumped masses: energy taken, momentum kept.
 #include "mechanics/contact/waves/lumped_bonds.hpp"
 
 #include <catch2/catch.hpp>
@@ -85,7 +85,7 @@ TEST_CASE("a bond that opens takes its fracture energy, in steps of any length",
   const TieReport report = report_of(pull.bonds, pull.pairs, pull.waves);
   CHECK(report.work == Approx(energy).epsilon(0.01));
   CHECK(report.torn == std::vector<ComponentId>{ComponentId{0}});
-  // What is left of the motion, the law's energy and what the steps lost add up.
+  // The motion's loss is the law's energy and the loss of the steps.
   CHECK(start - pull.kinetic() == Approx(report.work + pull.bonds.numerical).epsilon(1e-9));
   CHECK(pull.bonds.numerical >= -1e-12 * start);
   CHECK(pull.bonds.numerical < 3 / steps * energy);

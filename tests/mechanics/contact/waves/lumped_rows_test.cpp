@@ -139,7 +139,7 @@ TEST_CASE("momentum and angular momentum are kept, however few the sweeps", "[me
         l += Vec3(row_of(problem.waves.nodes.position, i)).cross(mv);
       }
       const WaveRigid& body = problem.contacts.rigid[0];
-      // What the rigid body got: its spin turns with its own inertia, its twist is what counts.
+      // The twist of the rigid body is exact; its spin follows with its own inertia.
       p += body.impulse;
       l += body.centre.cross(body.impulse) + body.twist;
       for (const Vec3& twist : problem.contacts.twist) l += twist;
@@ -160,7 +160,7 @@ TEST_CASE("momentum and angular momentum are kept, however few the sweeps", "[me
   }
 }
 
-TEST_CASE("a gap is closed and no more, and what is too deep comes out at its push",
+TEST_CASE("a gap is closed and no more, and a deep side comes out at its push",
           "[mechanics][waves]") {
   std::mt19937 random(23);
   Problem problem(random, 2);

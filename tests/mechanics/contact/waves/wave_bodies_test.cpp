@@ -32,6 +32,23 @@ struct Packed {
                  .part = part,
                  .measures_strain = true});
   }
+  /// Half a kick, a drift and half a kick of the first body, with their works.
+  void take_step(double h) {
+    WaveBody& first = waves.bodies[0];
+    for (const bool is_first : {true, false}) {
+      waves.velocity_before = waves.nodes.velocity;
+      kick(waves, first, 0.5 * h);
+      measure_work(waves, first);
+      if (is_first) drift(waves, first, h);
+    }
+  }
+  double kinetic() const {
+    double sum = 0;
+    for (std::size_t i = 0; i < waves.nodes.size(); ++i) {
+      sum += 0.5 * waves.nodes.mass[i] * row_of(waves.nodes.velocity, i).squaredNorm();
+    }
+    return sum;
+  }
   std::vector<Vec3> column(const QuadColumn& values) const {
     std::vector<Vec3> rows(state.vertices.size());
     for (std::size_t i = 0; i < waves.nodes.size(); ++i) {
@@ -53,16 +70,11 @@ Packed deformed_block(int order, double amount, std::mt19937& random) {
 
 /// Kinetic and strain energy of the packed nodes, J.
 double energy_of(const Packed& packed) {
-  const WaveNodes& nodes = packed.waves.nodes;
-  double kinetic = 0;
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    kinetic += 0.5 * nodes.mass[i] * row_of(nodes.velocity, i).squaredNorm();
-  }
-  const std::vector<Vec3> x = packed.column(nodes.position);
+  const std::vector<Vec3> x = packed.column(packed.waves.nodes.position);
   std::vector<Vec3> d(x.size()), f(x.size());
   const ElasticInput input{packed.state, packed.body.corners, x};
   deformation_forces({d, f}, input, packed.state.components[0]);
-  return kinetic + elastic_energy(input, packed.state.components[0], d);
+  return packed.kinetic() + elastic_energy(input, packed.state.components[0], d);
 }
 
 }  // namespace
@@ -115,12 +127,7 @@ TEST_CASE("free bodies keep energy to second order, and momenta to rounding",
     const double start = energy_of(packed);
     double lowest = start, highest = start;
     for (int k = 0; k < 400; ++k) {
-      for (const bool is_first : {true, false}) {
-        packed.waves.velocity_before = packed.waves.nodes.velocity;
-        kick(packed.waves, body, 0.5 * h);
-        measure_work(packed.waves, body);
-        if (is_first) drift(packed.waves, body, h);
-      }
+      packed.take_step(h);
       lowest = std::min(lowest, energy_of(packed));
       highest = std::max(highest, energy_of(packed));
     }
@@ -141,29 +148,16 @@ TEST_CASE("viscosity takes energy, never gives any, and as much as stress takes 
   packed.pack(0.3);
   WaveBody& body = packed.waves.bodies[0];
   const double h = 0.9 * stable_step(packed.waves, body);
-  const auto kinetic = [&] {
-    double sum = 0;
-    for (std::size_t i = 0; i < packed.waves.nodes.size(); ++i) {
-      sum +=
-          0.5 * packed.waves.nodes.mass[i] * row_of(packed.waves.nodes.velocity, i).squaredNorm();
-    }
-    return sum;
-  };
-  const double start = energy_of(packed), kinetic_start = kinetic();
+  const double start = energy_of(packed), kinetic_start = packed.kinetic();
   double last = start;
   for (int k = 0; k < 300; ++k) {
-    for (const bool is_first : {true, false}) {
-      packed.waves.velocity_before = packed.waves.nodes.velocity;
-      kick(packed.waves, body, 0.5 * h);
-      measure_work(packed.waves, body);
-      if (is_first) drift(packed.waves, body, h);
-    }
+    packed.take_step(h);
     const double now = energy_of(packed);
     CHECK(now < last * (1 + 1e-3));
     last = now;
   }
   CHECK(last < start);
-  CHECK(body.work.inner == Approx(kinetic() - kinetic_start).epsilon(1e-9));
+  CHECK(body.work.inner == Approx(packed.kinetic() - kinetic_start).epsilon(1e-9));
 }
 
 TEST_CASE("the stable step is that of the whole body's matrix or less", "[mechanics][waves]") {
@@ -212,24 +206,11 @@ TEST_CASE("held nodes go on with their support, which does the work that is miss
   packed.pack(0);
   WaveBody& body = packed.waves.bodies[0];
   const double h = 0.9 * stable_step(packed.waves, body);
-  const auto kinetic = [&] {
-    double sum = 0;
-    for (std::size_t i = 0; i < packed.waves.nodes.size(); ++i) {
-      sum +=
-          0.5 * packed.waves.nodes.mass[i] * row_of(packed.waves.nodes.velocity, i).squaredNorm();
-    }
-    return sum;
-  };
-  const double kinetic_start = kinetic();
+  const double kinetic_start = packed.kinetic();
   for (int k = 0; k < 50; ++k) {
-    for (const bool is_first : {true, false}) {
-      packed.waves.velocity_before = packed.waves.nodes.velocity;
-      kick(packed.waves, body, 0.5 * h);
-      measure_work(packed.waves, body);
-      if (is_first) drift(packed.waves, body, h);
-    }
+    packed.take_step(h);
   }
-  const double kinetic_end = kinetic();
+  const double kinetic_end = packed.kinetic();
   for (std::size_t i = 0; i < packed.waves.nodes.size(); ++i) {
     const std::size_t v = packed.waves.nodes.vertex[i].index();
     if (support[v].is_none()) continue;
