@@ -75,7 +75,8 @@ void predict_component(MechanicsScratch& scratch, MechanicsState& state, const S
   if (is_isolated(component) && input.settings.isolated == IsolatedTetrahedra::qr) {
     return step_edge_framed(step);
   }
-  if (component.rigid || component.rung == Rung::rigid) {
+  if (component.rigid || component.rung == Rung::rigid ||
+      component.rung == Rung::stiff) {
     step_rigid_body(step);
     return;
   }

@@ -211,6 +211,7 @@ StepReport advance(Simulation& sim, const StepObserver& observe) {
     if (has_failed(report)) break;
   }
   end_boundary(plan.boundary, s);
+  report.energy_released += plan.released;
   report.energy.gravity += plan.boundary.gravity_work;
   report.momentum.gravity += plan.boundary.gravity_impulse;
   report.impact = plan.impact;

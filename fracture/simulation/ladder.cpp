@@ -47,7 +47,8 @@ void find_tied(std::vector<char>& tied, const SimulationState& s) {
   }
 }
 
-/// J that a component gives up when it stops deforming: its vertices move with the frame alone.
+}  // namespace
+
 double stop_deforming(MechanicsState& state, const Component& component) {
   VertexColumns& vertices = state.vertices;
   double before = 0, after = 0;
@@ -64,6 +65,8 @@ double stop_deforming(MechanicsState& state, const Component& component) {
   }
   return before - after;
 }
+
+namespace {
 
 /// Largest speed of a vertex in its component's frame over the critical speed xi / (rho c), whose
 /// wave would break it. An acceleration counts as the speed that it stands for in the slowest mode.

@@ -26,6 +26,10 @@ namespace sunder {
 /// bodies). O(rows of the component).
 double flight_stress_bound(const MechanicsState& state, const Component& component);
 
+/// Vertices of a free component move with its frame alone from now on. Gives the kinetic energy of
+/// its deformation, which is lost, J. Momenta stay. O(vertices of the component).
+double stop_deforming(MechanicsState& state, const Component& component);
+
 /// Marks the components that the contacts of a part pushed at; rows of `touched` = ComponentId.
 void note_touches(std::vector<char>& touched, const MechanicsState& state,
                   std::span<const ContactPoint> contacts);

@@ -151,16 +151,20 @@ void begin_members(StepPlan& plan, const Scene& scene, SimulationState& s) {
   if (!plan.throughout) plan.still = sub_steps_before(plan.blow, plan.left, s.impact.sub_step);
 }
 
-/// For how many sub-steps contacts are found at once: as long as an implicit sub-step of the largest
-/// piece would be, or as the step still lasts.
-std::uint64_t sub_steps_of_contacts(const StepPlan& plan, const Scene& scene,
-                                    const SimulationState& s) {
-  double longest = 0;
+/// For how many sub-steps contacts are found at once: what moves goes no farther against the rest
+/// than a share of a cell, and no farther than the step still lasts.
+std::uint64_t sub_steps_of_contacts(const StepPlan& plan, const SimulationState& s) {
+  constexpr double share_of_cell = 0.1;
+  double cell = std::numeric_limits<double>::infinity();  // m
   for (const ComponentId id : open_windows(s.impact)) {
     const Component& c = s.mechanics.components[id.index()];
-    longest = std::max(longest, wave_sub_step(s.mechanics, c, scene.impact));
+    if (c.tetrahedra.empty()) continue;
+    const double speed = compression_wave_speed(material_of(s.mechanics, c.tetrahedra.front()));
+    cell = std::min(cell, speed * cell_travel(s.mechanics, c));
   }
-  longest = std::min(longest, time_left(plan, s));
+  const double speed = fastest_member(plan, s);
+  double longest = time_left(plan, s);
+  if (speed > 0) longest = std::min(longest, share_of_cell * cell / speed);
   const double count = std::floor(longest / s.impact.sub_step * (1 + 1e-9));
   return whole_number<std::uint64_t>(std::max(1.0, count));
 }
@@ -189,12 +193,14 @@ PlannedPart next_of_members(StepPlan& plan, const Scene& scene, SimulationState&
     StepPart wave{Deformation::wave, 0,           &scene.impact,        plan.strength,
                   plan.threshold,    wave_viscosity(scene)};
     wave.is_explicit = is_explicit(scene);
+    if (wave.is_explicit) stiffen_members(plan, s);
     if (wave.is_explicit && plan.served == 0) {
-      plan.served = sub_steps_of_contacts(plan, scene, s);
+      plan.served = sub_steps_of_contacts(plan, s);
       wave.contacts_for = static_cast<double>(plan.served) * sub_step;
     }
     return {wave, sub_step};
   }
+  unstiffen_members(s);
   // What is left at once, or the way to the next blow.
   const ImpactSettings* impact = at_once ? nullptr : &scene.impact;
   return {
@@ -269,6 +275,7 @@ void note_members(StepPlan& plan, const PlannedPart& part, const ContactStepResu
 
 /// Where the members' step ends everybody meets again.
 void finish_members(StepPlan& plan, const Scene& scene, SimulationState& s) {
+  unstiffen_members(s);
   end_boundary(plan.boundary, s);
   if (plan.impact.stopped) std::ranges::fill(s.impact.quiet, ImpactWindow::closed);
   put_back_obstacles(plan, s.obstacles);

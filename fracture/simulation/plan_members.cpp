@@ -3,9 +3,12 @@
 #include "fracture/simulation/plan_members.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
+#include "fracture/simulation/ladder.hpp"
 #include "fracture/simulation/ledger/break_energy.hpp"
+#include "mechanics/frame/affine_motion.hpp"
 #include "mechanics/state/living.hpp"
 #include "topology/base/assert.hpp"
 
@@ -30,6 +33,59 @@ void take_those(StepPlan& plan, const SimulationState& s, Fits fits) {
 }
 
 }  // namespace
+
+double fastest_member(const StepPlan& plan, const SimulationState& s) {
+  const VertexColumns& v = s.mechanics.vertices;
+  std::vector<std::size_t> rows;
+  for (std::size_t i = 0; i < v.size(); ++i) {
+    if (plan.members().has(v.component[i])) rows.push_back(i);
+  }
+  const AffineMotion field = fit_affine_motion(
+      rows.size(), [&](std::size_t k) -> const Vec3& { return v.position[rows[k]]; },
+      [&](std::size_t k) -> const Vec3& { return v.velocity[rows[k]]; });
+  std::vector<double> squares;
+  for (const std::size_t i : rows) {
+    squares.push_back((v.velocity[i] - field.at(v.position[i])).squaredNorm());
+  }
+  double squared = 0;
+  if (!squares.empty()) {
+    const auto at = squares.begin() + static_cast<std::ptrdiff_t>(squares.size() * 99 / 100);
+    std::nth_element(squares.begin(), at, squares.end());
+    squared = *at;
+  }
+  for (const Obstacle& obstacle : s.obstacles) {
+    squared = std::max(squared, (obstacle.velocity - field.mean).squaredNorm());
+  }
+  return std::sqrt(squared);
+}
+
+void stiffen_members(StepPlan& plan, SimulationState& s) {
+  const std::vector<ComponentId>& parent = s.cells.labels.parent;
+  std::vector<char> deforms(s.mechanics.components.size(), 1);
+  for (std::size_t k = 0; k < parent.size(); ++k) {
+    if (parent[k].is_none()) continue;
+    deforms[k] = deforms[parent[k].index()] = 0;
+  }
+  for (const ComponentId id : open_windows(s.impact)) deforms[id.index()] = 1;
+  for (const Tie& tie : s.contact.ties) {
+    const TetId t = tetrahedron_of(tie.face);
+    deforms[s.mechanics.elements.component[t.index()].index()] = 1;
+  }
+  for (Component& c : s.mechanics.components) {
+    const std::size_t row = c.id.index();
+    if (c.rung == Rung::stiff && deforms[row]) c.rung = Rung::full;
+    const bool may = plan.components[row] && c.rung == Rung::full && !c.supported && !c.rigid;
+    if (!may || c.tetrahedra.empty() || deforms[row]) continue;
+    plan.released += stop_deforming(s.mechanics, c);
+    c.rung = Rung::stiff;
+  }
+}
+
+void unstiffen_members(SimulationState& s) {
+  for (Component& c : s.mechanics.components) {
+    if (c.rung == Rung::stiff) c.rung = Rung::full;
+  }
+}
 
 std::vector<ComponentId> open_windows(const ImpactWindow& window) {
   std::vector<ComponentId> open;

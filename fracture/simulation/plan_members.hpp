@@ -29,4 +29,16 @@ void take_the_members(StepPlan& plan, const SimulationState& state);
 /// off take their vertices' with them.
 void note_strengths(StepPlan& plan, const Scene& scene, const SimulationState& state);
 
+/// m/s: the largest speed of a member's vertex against the affine field that fits the members'
+/// vertices, or of an obstacle against their mean.
+double fastest_member(const StepPlan& plan, const SimulationState& state);
+
+/// Pieces that came off some body and that no blow has struck, nor a crack: they move as rigid
+/// bodies in explicit steps (`Rung::stiff`), and deform again once their windows open. Supported
+/// and tied pieces, and bodies that are still whole, deform always.
+void stiffen_members(StepPlan& plan, SimulationState& state);
+
+/// All of them deform from here on.
+void unstiffen_members(SimulationState& state);
+
 }  // namespace sunder

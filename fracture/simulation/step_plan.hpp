@@ -40,6 +40,7 @@ struct StepPlan {
   /// Row = ComponentId: declared never to break (`note_unbreakable`).
   const std::vector<char>& declared;
   ImpactReport impact;
+  double released = 0;              ///< J, of pieces that stopped deforming (`stiffen_members`)
   double blow = 0;                  ///< s, when the first blow falls
   std::uint64_t left = 0;           ///< sub-steps that the members have before them
   std::uint64_t still = 0;          ///< how many of them they now go with frozen deformations

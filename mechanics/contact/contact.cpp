@@ -56,6 +56,8 @@ void count_contacts(ContactStep& step) {
   report.obstacle_impulse.assign(step.pass.obstacles.size(), Vec3::Zero());
   const StepPaths paths = paths_of(step);
   for (const ContactPoint& contact : step.contacts) {
+    // No solid is deeper than the tangent plane says.
+    if (-gap_end(contact, path_of(contact, paths)) <= report.deepest) continue;
     report.deepest = std::max(report.deepest, depth_at_end(contact, paths));
   }
   report.left_out = step.scratch.left_out.size();

@@ -15,6 +15,7 @@ enum class Rung : unsigned char {
   asleep,        ///< nothing: the component is at rest
   rubble,        ///< rigid motion and contact, with a clock of its own
   carried,       ///< within a step only: has taken the step, and meets sub-stepped components
+  stiff,         ///< within a step only: like `rigid`, among sub-stepped components
 };
 /// Number of levels that components can have between steps.
 inline constexpr std::size_t rung_count = 5;

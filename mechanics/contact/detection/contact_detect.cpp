@@ -211,9 +211,8 @@ bool may_overlap(const StepPaths& paths, const ContactSettings& settings) {
                                        std::ranges::any_of(paths.obstacles, is_sphere));
 }
 
-void find_contacts(DetectScratch& scratch, const ContactMemory& memory, const StepPaths& paths,
-                   const ContactSettings& settings) {
-  SUNDER_ASSERT(paths.predicted.size() == paths.state.vertices.size(), "predict before contact");
+void find_on_obstacles(DetectScratch& scratch, const StepPaths& paths,
+                       const ContactSettings& settings) {
   scratch.found.clear();
   scratch.found_gap.clear();
   const VertexReach reach = reach_of_vertices(paths);
@@ -222,6 +221,14 @@ void find_contacts(DetectScratch& scratch, const ContactMemory& memory, const St
     if (!is_far(paths, row, reach)) find_vertex_obstacle(scratch, paths, row, settings.friction, rim);
   }
   if (paths.obstacles.size() > 1) leave_out_seams(scratch, paths, rim);
+}
+
+void find_contacts(DetectScratch& scratch, const ContactMemory& memory, const StepPaths& paths,
+                   const ContactSettings& settings) {
+  SUNDER_ASSERT(paths.predicted.size() == paths.state.vertices.size(), "predict before contact");
+  find_on_obstacles(scratch, paths, settings);
+  const VertexReach reach = reach_of_vertices(paths);
+  const double rim = rim_of(settings);
   find_between_obstacles(scratch, paths, rim);
   find_edges_of_obstacles(scratch, paths, settings);
   if (settings.between_pieces) find_between_partners(scratch, memory, paths, settings);

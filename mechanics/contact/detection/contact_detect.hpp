@@ -200,6 +200,11 @@ bool has_several_pieces(const StepPaths& paths, const ContactSettings& settings)
 /// Whether pieces may meet each other or spheres, and neighbours are given: `find_overlaps`.
 bool may_overlap(const StepPaths& paths, const ContactSettings& settings);
 
+/// Contacts of vertices with obstacles alone, into `scratch.found`: the first of `find_contacts`.
+/// O(vertices times obstacles near them).
+void find_on_obstacles(DetectScratch& scratch, const StepPaths& paths,
+                       const ContactSettings& settings);
+
 /// All contacts whose path ends nearer to the tangent plane than it is long, into `scratch.found`,
 /// in the order: vertices by obstacle, obstacles by corner and then by edge, partners, pieces by
 /// vertex, balls on pieces, edges.

@@ -280,6 +280,7 @@ void find_between_edges(DetectScratch& scratch, const StepPaths& paths,
   }
   refresh_edges(scratch, paths, 10 * band);
   const Travel& travel = scratch.travel;
+  std::vector<PairContacts> noted;
   for (NearPair& pair : scratch.near_edges.found) {
     if (!is_due(pair, travel)) continue;
     if (!paths.members.has(ComponentId{pair.body_a}) || !paths.members.has(ComponentId{pair.body_b}))
@@ -287,7 +288,8 @@ void find_between_edges(DetectScratch& scratch, const StepPaths& paths,
     const std::uint32_t a = scratch.edge_row[pair.a], b = scratch.edge_row[pair.b];
     pair.facing = 0;
     pair.quiet = travel.start_of(pair.body_a, pair.body_b) +
-                 distance_at_start(paths, edges[a], edges[b]) - 10 * band;
+                 std::min(distance_at_start(paths, edges[a], edges[b]), scratch.mean_edge) -
+                 10 * band;
     if (!is_due(pair, travel)) continue;
     if (are_partners(scratch, edges[a], edges[b])) {
       pair.facing = 1 + travel.parted[pair.body_a] + travel.parted[pair.body_b];
@@ -295,8 +297,11 @@ void find_between_edges(DetectScratch& scratch, const StepPaths& paths,
     }
     if (!boxes[a].overlaps(boxes[b])) continue;
     if (!is_sharp(paths, edges[a]) || !is_sharp(paths, edges[b])) continue;
+    const std::size_t first = scratch.found.size();
     meet_edges(moving_edge(paths, edges[a], a), moving_edge(paths, edges[b], b));
+    note_contacts(noted, pair, scratch, first);
   }
+  sort_contacts(scratch, noted);
 }
 
 void find_edges_of_obstacles(DetectScratch& scratch, const StepPaths& paths,

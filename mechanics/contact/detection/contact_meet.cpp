@@ -137,7 +137,8 @@ bool detect_contacts(ContactStep& step) {
 }
 
 bool on_lower_rung(const Component* side) {
-  return side && side->rung != Rung::full && side->rung != Rung::carried;
+  return side && side->rung != Rung::full && side->rung != Rung::carried &&
+         side->rung != Rung::stiff;
 }
 
 /// Whether neither side of a contact moves in this step.

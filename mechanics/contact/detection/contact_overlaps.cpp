@@ -87,58 +87,75 @@ bool begins_inside(const StepPaths& paths, TetId a, TetId b) {
   return common_gap(p, q, p, q, least) < least;
 }
 
-/// Two tetrahedra that may overlap as the step ends, and the axis that decided them last.
-void find_overlap(DetectScratch& scratch, const StepPaths& paths, const ContactSettings& settings,
-                  std::uint8_t pass, TetId a, TetId b, PairAxis& axis, double& apart) {
+/// m: how far the boxes of two tetrahedra are apart as the step ends; negative where they overlap.
+double boxes_apart(const StepPaths& paths, TetId a, TetId b) {
+  const Bounds p = sunder::bounds_of(places_at_end(paths, a));
+  const Bounds q = sunder::bounds_of(places_at_end(paths, b));
+  return (p.low - q.high).cwiseMax(q.low - p.high).maxCoeff();
+}
+
+/// Two tetrahedra, no partners, that may overlap as the step ends, and the axis that decided them last.
+/// Gives how far they are apart at least, m.
+double find_overlap(DetectScratch& scratch, const StepPaths& paths, const ContactSettings& settings,
+                    std::uint8_t pass, TetId a, TetId b, PairAxis& axis) {
   const Places x = places_at_end(paths, a), y = places_at_end(paths, b);
-  const Bounds p = sunder::bounds_of(x), q = sunder::bounds_of(y);
-  apart = (p.low - q.high).cwiseMax(q.low - p.high).maxCoeff();
-  if (apart > 0) return;
   const Polytope one = make_tetrahedron(x, outer_faces(paths, a));
   const Polytope other = make_tetrahedron(y, outer_faces(paths, b));
   const Manifold patch = collide(one, other, {}, axis);
-  if (patch.count == 0) {
-    apart = separation_along(one, other, axis);
-    return;
-  }
+  if (patch.count == 0) return separation_along(one, other, axis);
   const double least = least_overlap(settings, pass, std::min(mean_edge(x), mean_edge(y)));
   const auto count = static_cast<std::size_t>(patch.count);
   const auto begin = patch.point.begin(), end = begin + patch.count;
   const bool is_deep = std::any_of(
       begin, end, [&](const Manifold::Point& point) { return point.separation < -least; });
-  if (!is_deep || are_partners(scratch, paths, a, b) || begins_inside(paths, a, b)) return;
+  if (!is_deep || begins_inside(paths, a, b)) return 0;
   for (std::size_t k = 0; k < count; ++k) {
     if (patch.point[k].separation >= 0) continue;
     add(scratch, paths, a, b, patch.normal, patch.point[k], pass, static_cast<std::uint8_t>(k),
         settings.friction);
   }
+  return 0;
 }
 
 /// Overlaps of pieces as the step ends.
 void find_solid_overlaps(DetectScratch& scratch, const StepPaths& paths,
                          const ContactSettings& settings, std::uint8_t pass) {
   update_near(scratch, paths);
-  double apart = 0;
   if (!keeps_pairs(scratch)) {
     pair_at_end(scratch, paths);
     for (const auto& [a, b] : scratch.swept) {
+      if (boxes_apart(paths, TetId{a}, TetId{b}) > 0) continue;
+      if (are_partners(scratch, paths, TetId{a}, TetId{b})) continue;
       PairAxis axis;
-      find_overlap(scratch, paths, settings, pass, TetId{a}, TetId{b}, axis, apart);
+      find_overlap(scratch, paths, settings, pass, TetId{a}, TetId{b}, axis);
     }
     return;
   }
   refresh_solids(scratch, paths);
   const Travel& travel = scratch.travel;
+  std::vector<PairContacts> noted;
   for (NearPair& pair : scratch.near_solids.found) {
-    const double end = travel.end_of(pair.body_a, pair.body_b);
-    if (end < pair.quiet) continue;
+    if (!is_due(pair, travel)) continue;
     if (!paths.members.has(ComponentId{pair.body_a}) || !paths.members.has(ComponentId{pair.body_b}))
       continue;
-    find_overlap(scratch, paths, settings, pass, TetId{pair.a}, TetId{pair.b}, pair.axis, apart);
+    const TetId a{pair.a}, b{pair.b};
+    pair.facing = 0;
+    double apart = boxes_apart(paths, a, b);
+    if (apart <= 0 && are_partners(scratch, paths, a, b)) {
+      pair.facing = 1 + travel.parted[pair.body_a] + travel.parted[pair.body_b];
+      continue;
+    }
+    if (apart <= 0) {
+      const std::size_t first = scratch.found.size();
+      apart = find_overlap(scratch, paths, settings, pass, a, b, pair.axis);
+      note_contacts(noted, pair, scratch, first);
+    }
+    const double end = travel.end_of(pair.body_a, pair.body_b);
     // They are as far apart as the step ends, and began no nearer than that less its ways.
     const double start = travel.start_of(pair.body_a, pair.body_b);
-    pair.quiet = start + std::max(0.0, apart) - (end - start);
+    pair.quiet = start + std::clamp(apart, 0.0, scratch.mean_edge) - (end - start);
   }
+  sort_contacts(scratch, noted);
 }
 
 }  // namespace

@@ -242,7 +242,7 @@ void find_box_pairs(std::vector<RowPair>& pairs, BoxScratch& scratch, const BoxQ
       pair_bodies(pairs, scratch, query, both);
     }
   }
-  std::sort(pairs.begin(), pairs.end());
+  if (query.sorts) std::sort(pairs.begin(), pairs.end());
 }
 
 void find_box_pairs_brute_force(std::vector<RowPair>& pairs, const BoxQuery& query) {

@@ -29,6 +29,7 @@ struct BoxQuery {
   std::span<const std::uint32_t> body;  ///< of each box; boxes of one body never pair
   std::span<const char> moves;          ///< row = body: two that keep still never pair
   std::span<const Vec3> ways = {};      ///< m, row = box: how far it moves; empty: not at all
+  bool sorts = true;                    ///< false: the pairs may come in any order
 };
 
 /// Whether two boxes overlap at some time while the first moves by `way` (m) against the second.

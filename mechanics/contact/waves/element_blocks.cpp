@@ -23,10 +23,14 @@ SUNDER_INLINE void transpose(Lanes& a, Lanes& b, Lanes& c, Lanes& d) {
   d = __builtin_shufflevector(ab_high, cd_high, 2, 3, 6, 7);
 }
 
-SUNDER_INLINE void add_force(double* inner, const double* argument, const ElementBlock& e) {
+SUNDER_INLINE void add_force(double* inner, const double* displacement, const double* rate,
+                             const ElementBlock& e) {
   Lanes d[4][4];  // by corner and axis
   for (int a = 0; a < 4; ++a) {
-    for (int lane = 0; lane < 4; ++lane) d[a][lane] = load(argument + 4 * e.node[a][lane]);
+    for (int lane = 0; lane < 4; ++lane) {
+      const std::size_t row = 4 * e.node[a][lane];
+      d[a][lane] = load(displacement + row) + spread(e.viscosity[lane]) * load(rate + row);
+    }
     transpose(d[a][0], d[a][1], d[a][2], d[a][3]);
   }
   Lanes G[3][3];
@@ -99,23 +103,28 @@ void set_element(ElementBlock& block, std::size_t lane, const ShapeGradient& gra
   }
   block.lambda[lane] = scaled.lambda;
   block.mu[lane] = scaled.mu;
+  block.viscosity[lane] = 0;
   for (std::size_t a = 0; a < 4; ++a) block.node[a][lane] = node[a];
 }
 
-SUNDER_LANES void add_block_forces(double* inner, const double* argument,
-                                   const ElementBlock* blocks, std::size_t count) {
-  for (std::size_t b = 0; b < count; ++b) add_force(inner, argument, blocks[b]);
+SUNDER_LANES void add_block_forces(const NodeMotion& nodes, std::span<const ElementBlock> blocks) {
+  const double* displacement = nodes.displacement.data();
+  const double* rate = nodes.rate.data();
+  double* inner = nodes.inner.data();
+  for (const ElementBlock& block : blocks) add_force(inner, displacement, rate, block);
 }
 
-void add_second_order_forces(QuadColumn& inner, const QuadColumn& argument,
+void add_second_order_forces(const NodeMotion& nodes,
                              std::span<const SecondOrderElement> elements) {
   for (const SecondOrderElement& e : elements) {
     NodeVectors d;
-    for (std::size_t a = 0; a < e.node.size(); ++a) d[a] = row_of(argument, e.node[a]);
+    for (std::size_t a = 0; a < e.node.size(); ++a) {
+      d[a] = row_of(nodes.displacement, e.node[a]) + e.viscosity * row_of(nodes.rate, e.node[a]);
+    }
     std::array<Mat3, 4> stress = corner_gradients(e.gradient, d);
     for (Mat3& at : stress) at = stress_of(at, e.lame);
     for (std::size_t a = 0; a < e.node.size(); ++a) {
-      row_of(inner, e.node[a]) += second_order_force(e.gradient, e.volume, stress, a);
+      row_of(nodes.inner, e.node[a]) += second_order_force(e.gradient, e.volume, stress, a);
     }
   }
 }

@@ -25,6 +25,7 @@ inline Eigen::Map<const Vec3> row_of(const QuadColumn& column, std::size_t row) 
 struct alignas(64) ElementBlock {
   double gradient[9][4];     ///< 1/m: of the shape functions of corners 1 to 3, by corner and axis
   double lambda[4], mu[4];   ///< N m: Lame's constants times the rest volume
+  double viscosity[4];       ///< s: factor of the stiffness
   std::uint32_t node[4][4];  ///< by corner
 };
 
@@ -32,22 +33,30 @@ struct alignas(64) ElementBlock {
 struct SecondOrderElement {
   ShapeGradient gradient;  ///< 1/m
   double volume = 0;       ///< m^3
+  double viscosity = 0;    ///< s: factor of the stiffness
   Lame lame;
   std::array<std::uint32_t, 10> node;
 };
 
-/// Sets one of the four places of a block.
+/// Sets one of the four places of a block, without viscosity.
 void set_element(ElementBlock& block, std::size_t lane, const ShapeGradient& gradient,
                  const Lame& scaled, const std::array<std::uint32_t, 4>& node);
 
-/// Adds K_e of every element times `argument` to `inner`, N: H = sum_a (d_a - d_0) G_a^T,
-/// V sigma = V lambda tr(H) I + V mu (H + H^T), f_a = V sigma G_a. The same bytes on any processor.
-void add_block_forces(double* inner, const double* argument, const ElementBlock* blocks,
-                      std::size_t count);
+/// Where elements read displacements (m) and their rates (m/s), and add forces (N): columns of
+/// nodes in the body's frame.
+struct NodeMotion {
+  const QuadColumn& displacement;
+  const QuadColumn& rate;
+  QuadColumn& inner;
+};
+
+/// Adds the forces K_e (u + b w) of elements with viscosity b to `inner`: d = u + b w,
+/// H = sum_a (d_a - d_0) G_a^T, V sigma = V lambda tr(H) I + V mu (H + H^T), f_a = V sigma G_a.
+/// The same bytes on any processor.
+void add_block_forces(const NodeMotion& nodes, std::span<const ElementBlock> blocks);
 
 /// The same for elements of second order.
-void add_second_order_forces(QuadColumn& inner, const QuadColumn& argument,
-                             std::span<const SecondOrderElement> elements);
+void add_second_order_forces(const NodeMotion& nodes, std::span<const SecondOrderElement> elements);
 
 /// c of an element: x^T K_e x <= c sum_a k_a |x_a|^2 for all x, with k_a the largest eigenvalue of
 /// the diagonal block of node a. Then (2 / h)^2 >= sum_e c k_a / m_a at every node bounds the

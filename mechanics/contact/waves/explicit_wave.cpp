@@ -15,6 +15,17 @@
 namespace sunder {
 namespace {
 
+/// Sweeps over all rows, each followed by sweeps over those that press, until the former changes no
+/// velocity by more than `tolerance` (m/s), or there were `most` of them. Gives that change, m/s.
+double relax_rows(WaveScratch& wave, double step, double tolerance, int most, int& sweeps) {
+  WaveNodes& nodes = wave.bodies.nodes;
+  for (;;) {
+    const double error = sweep_rows(wave.contacts, nodes, step);
+    if (++sweeps >= most || error <= tolerance) return error;
+    while (sweeps < most && sweep_pressed(wave.contacts, nodes, step) > tolerance) ++sweeps;
+  }
+}
+
 /// Impulses of contacts and bonds with a kick, until a sweep changes no velocity by more than
 /// `tolerance` (m/s) and no bond is off its law.
 void solve_impulses(WaveScratch& wave, ContactStep& step, const RowStep& row_step,
@@ -27,9 +38,10 @@ void solve_impulses(WaveScratch& wave, ContactStep& step, const RowStep& row_ste
   std::array<double, 2> off{};
   int sweeps = 0;
   do {
-    error = sweep_rows(wave.contacts, nodes, row_step.length);
+    // Without bonds all sweeps are of contacts; else one after each of bonds.
+    const int most = step.ties.empty() ? step.settings.max_iterations : sweeps + 1;
+    error = relax_rows(wave, row_step.length, tolerance, most, sweeps);
     off = sweep_bonds(wave.bonds, step.ties, nodes, row_step, tie_tolerance, sweeps_of_bonds);
-    ++sweeps;
     // Bonds that contacts have not moved are solved for.
     if (wave.contacts.rows.empty()) break;
   } while ((error > tolerance || off[0] > tie_tolerance) && sweeps < step.settings.max_iterations);
@@ -157,6 +169,7 @@ void write_obstacle(const WaveRigid& body, ContactStep& step) {
 /// Results of contacts, and contacts as the next part may take them on.
 void write_contacts(WaveScratch& wave, ContactStep& step) {
   wave.kept = step.contacts;
+  wave.vertices_of_kept = step.pass.state.vertices.size();
   for (std::size_t k = 0; k < step.contacts.size(); ++k) {
     const LumpedRow& row = wave.contacts.rows[k];
     ContactPoint& contact = step.contacts[k];

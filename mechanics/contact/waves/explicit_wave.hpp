@@ -15,6 +15,11 @@ struct WaveScratch {
   LumpedBonds bonds;
   std::vector<std::uint32_t> rigid_of_component, rigid_of_obstacle;
   std::vector<ContactPoint> kept;  ///< the contacts of the last part, with gaps as it ended
+  std::size_t vertices_of_kept = 0;  ///< how many vertices there were then
+  /// The last search for contacts: where vertices were (m), how they moved (m/s), how long its
+  /// contacts are to last, and how long ago it was (s).
+  std::vector<Vec3> searched_position, searched_velocity;
+  double searched_for = 0, since_search = 0;
 };
 
 /// The contacts of the part, into `step.contacts`: along the ways that everything would go in

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "mechanics/frame/rotation.hpp"
 
@@ -115,6 +116,19 @@ Vec3 wanted_impulse(const LumpedRow& row, const Vec3& slip, double step) {
   return wanted * row.normal + friction;
 }
 
+/// Gives a row the impulse that it should have; by how much that changed a velocity, m/s. Nothing: its
+/// sides are apart, and stay so.
+std::optional<double> relax(LumpedRow& row, LumpedContacts& contacts, WaveNodes& nodes,
+                            double step) {
+  const Vec3 slip = slip_of(row, contacts, nodes);
+  if (row.impulse.isZero(0) && row.normal.dot(slip) + row.gap / step >= row.push) return {};
+  const Vec3 next = wanted_impulse(row, slip, step);
+  const Vec3 change = next - row.impulse;
+  row.impulse = next;
+  strike(row, change, contacts, nodes);
+  return change.norm() * row.normal_response;
+}
+
 }  // namespace
 
 std::array<double, 2> response_of(const LumpedSide& side, const LumpedContacts& contacts,
@@ -150,15 +164,22 @@ void begin_rows(LumpedContacts& contacts, WaveNodes& nodes, const RowStep& step)
 
 double sweep_rows(LumpedContacts& contacts, WaveNodes& nodes, double step) {
   double largest = 0;
-  for (LumpedRow& row : contacts.rows) {
+  contacts.pressed.clear();
+  for (std::uint32_t k = 0; k < contacts.rows.size(); ++k) {
+    LumpedRow& row = contacts.rows[k];
     if (!(row.normal_response > 0)) continue;
-    const Vec3 slip = slip_of(row, contacts, nodes);
-    if (row.impulse.isZero(0) && row.normal.dot(slip) + row.gap / step >= row.push) continue;
-    const Vec3 next = wanted_impulse(row, slip, step);
-    const Vec3 change = next - row.impulse;
-    row.impulse = next;
-    strike(row, change, contacts, nodes);
-    largest = std::max(largest, change.norm() * row.normal_response);
+    const std::optional<double> change = relax(row, contacts, nodes, step);
+    if (!change) continue;
+    contacts.pressed.push_back(k);
+    largest = std::max(largest, *change);
+  }
+  return largest;
+}
+
+double sweep_pressed(LumpedContacts& contacts, WaveNodes& nodes, double step) {
+  double largest = 0;
+  for (const std::uint32_t k : contacts.pressed) {
+    largest = std::max(largest, relax(contacts.rows[k], contacts, nodes, step).value_or(0));
   }
   return largest;
 }

@@ -71,6 +71,7 @@ struct LumpedContacts {
   std::vector<LumpedRow> rows;
   std::vector<WaveRigid> rigid;
   std::vector<Vec3> twist;  ///< N m s, row = body of nodes: moments that its nodes did not get
+  std::vector<std::uint32_t> pressed;  ///< rows that the last sweep over all found so
   RowWork work;
 };
 
@@ -93,8 +94,11 @@ struct RowStep {
 void begin_rows(LumpedContacts& contacts, WaveNodes& nodes, const RowStep& step);
 
 /// One sweep of projected Gauss-Seidel over a step of `step` s. Gives the largest change of a
-/// velocity, m/s.
+/// velocity, m/s. Notes the rows that press, or would overlap, as `pressed`.
 double sweep_rows(LumpedContacts& contacts, WaveNodes& nodes, double step);
+
+/// The same over the rows noted alone. Others may have come to overlap: `sweep_rows` has the last word.
+double sweep_pressed(LumpedContacts& contacts, WaveNodes& nodes, double step);
 
 /// Adds the impulses of a step to the sums of the part. Both sides get an impulse at the place of A.
 /// The nodes of B miss a part of its moment, and `twist` gets that part. So momentum and angular

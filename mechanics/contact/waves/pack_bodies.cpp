@@ -2,7 +2,9 @@
 // Bodies of a part of a step, packed for explicit steps.
 #include "mechanics/contact/waves/wave_bodies.hpp"
 
-#include "mechanics/integrators/coefficients.hpp"
+#include <algorithm>
+#include <cmath>
+
 #include "mechanics/state/living.hpp"
 #include "mechanics/state/supports.hpp"
 #include "mechanics/state/wave_travel.hpp"
@@ -14,25 +16,40 @@ void push(QuadColumn& column, const Vec3& value) {
   column.insert(column.end(), {value.x(), value.y(), value.z(), 0.0});
 }
 
-void add_stiffness(WaveBodies& waves, const MechanicsState& state, const StepInput& input,
-                   TetId t) {
-  const ElementNodes own = nodes_of(state.elements, input.corners, t);
-  const std::array<double, 10> stiffness = stiffness_of_nodes(
-      state.elements.shape_gradient[t.index()], state.elements.rest_volume[t.index()],
-      lame(material_of(state, t)), own.count);
+/// Share of critical damping that the viscosity of wave fronts reaches at most, in the fastest
+/// motion that the elements around a node allow: bad cells would set a far shorter step else.
+constexpr double largest_damping = 0.5;
+
+/// What an element adds to a sum at its nodes.
+void add_to_nodes(std::vector<double>& sum, const WaveBodies& waves, const ElementNodes& own,
+                  TetId t, double factor) {
   for (std::size_t a = 0; a < own.count; ++a) {
-    waves.nodes.stiffness[waves.node_of_vertex[own.row[a].index()]] +=
-        waves.coupling[t.index()] * stiffness[a];
+    sum[waves.node_of_vertex[own.row[a].index()]] += factor * waves.stiffness[t.index()][a];
   }
 }
 
-/// Elements of a component, those of first order by fours.
+/// s: the viscosity of an element, the user's and that of wave fronts (`StepPart::viscosity`).
+double viscosity_of(const WaveBodies& waves, const StepInput& input, const ElementNodes& own,
+                    double of_fronts) {
+  for (std::size_t a = 0; a < own.count; ++a) {
+    const std::uint32_t node = waves.node_of_vertex[own.row[a].index()];
+    const double squared = waves.nodes.stiffness[node] * waves.nodes.inverse_mass[node];
+    of_fronts = std::min(of_fronts, 2 * largest_damping / std::sqrt(squared));
+  }
+  return input.settings.damping.stiffness_factor + of_fronts;
+}
+
+/// Elements of a component, those of first order by fours. `of_fronts`: s, a viscosity.
 void add_elements(WaveBodies& waves, const MechanicsState& state, const StepInput& input,
-                  const Component& component) {
+                  const Component& component, double of_fronts) {
+  for (const TetId t : component.tetrahedra) {
+    add_to_nodes(waves.nodes.stiffness, waves, nodes_of(state.elements, input.corners, t), t, 1);
+  }
   std::size_t lane = 4;
   for (const TetId t : component.tetrahedra) {
-    add_stiffness(waves, state, input, t);
     const ElementNodes own = nodes_of(state.elements, input.corners, t);
+    const double viscosity = viscosity_of(waves, input, own, of_fronts);
+    add_to_nodes(waves.nodes.damping, waves, own, t, viscosity);
     const ShapeGradient& G = state.elements.shape_gradient[t.index()];
     const double volume = state.elements.rest_volume[t.index()];
     const Lame constants = lame(material_of(state, t));
@@ -40,6 +57,7 @@ void add_elements(WaveBodies& waves, const MechanicsState& state, const StepInpu
       SecondOrderElement& element = waves.second.emplace_back();
       element.gradient = G;
       element.volume = volume;
+      element.viscosity = viscosity;
       element.lame = constants;
       for (std::size_t a = 0; a < own.count; ++a) {
         element.node[a] = waves.node_of_vertex[own.row[a].index()];
@@ -56,8 +74,9 @@ void add_elements(WaveBodies& waves, const MechanicsState& state, const StepInpu
         set_element(waves.blocks.back(), k, ShapeGradient::Zero(), Lame{0, 0}, node);
       }
     }
-    set_element(waves.blocks.back(), lane++, G,
+    set_element(waves.blocks.back(), lane, G,
                 Lame{volume * constants.lambda, volume * constants.mu}, node);
+    waves.blocks.back().viscosity[lane++] = viscosity;
   }
 }
 
@@ -73,6 +92,7 @@ void add_nodes(WaveBodies& waves, const MechanicsState& state, const StepInput& 
     nodes.mass.push_back(v.mass[i]);
     nodes.inverse_mass.push_back(is_held_whole(state, id) ? 0 : 1 / v.mass[i]);
     nodes.stiffness.push_back(0);
+    nodes.damping.push_back(0);
     push(nodes.position, v.position[i]);
     push(nodes.arm, v.rest_position[i] - component.rest_centre);
     Vec3 load = input.loads.gravity, velocity = v.velocity[i];
@@ -95,14 +115,13 @@ void add_body(WaveBodies& waves, const MechanicsState& state, const StepInput& i
   body.first_second = waves.second.size();
   body.first_held = waves.held.size();
   body.mass = component.mass;
-  const RayleighDamping damping = wave_damping(input, cell_travel(state, component));
-  body.viscosity = damping.stiffness_factor;
-  body.mass_damping = damping.mass_factor;
+  body.mass_damping = input.settings.damping.mass_factor;
   body.supported = component.supported;
   body.frame = {component.centre, component.orientation};
   if (component.supported) body.frame_velocity = component.frame_velocity;
   add_nodes(waves, state, input, component);
-  add_elements(waves, state, input, component);
+  add_elements(waves, state, input, component,
+               input.part.viscosity * cell_travel(state, component));
   body.end_node = waves.nodes.size();
   body.end_block = waves.blocks.size();
   body.end_second = waves.second.size();
@@ -115,16 +134,21 @@ void add_body(WaveBodies& waves, const MechanicsState& state, const StepInput& i
 
 void pack_bodies(WaveBodies& waves, const MechanicsState& state, const StepInput& input) {
   const ElementColumns& elements = state.elements;
-  for (std::size_t t = waves.coupling.size(); t < elements.size(); ++t) {
+  for (std::size_t t = waves.stiffness.size(); t < elements.size(); ++t) {
     const std::size_t nodes = is_second_order(elements, TetId{t}) ? 10 : 4;
-    waves.coupling.push_back(coupling_of(elements.shape_gradient[t], elements.rest_volume[t],
-                                         lame(material_of(state, TetId{t})), nodes));
+    const ShapeGradient& G = elements.shape_gradient[t];
+    const double volume = elements.rest_volume[t];
+    const Lame constants = lame(material_of(state, TetId{t}));
+    const double coupling = coupling_of(G, volume, constants, nodes);
+    waves.stiffness.push_back(stiffness_of_nodes(G, volume, constants, nodes));
+    for (double& k : waves.stiffness.back()) k *= coupling;
   }
   WaveNodes& nodes = waves.nodes;
   for (QuadColumn* column : {&nodes.position, &nodes.velocity, &nodes.arm, &nodes.load}) {
     column->clear();
   }
-  for (std::vector<double>* column : {&nodes.mass, &nodes.inverse_mass, &nodes.stiffness}) {
+  for (std::vector<double>* column :
+       {&nodes.mass, &nodes.inverse_mass, &nodes.stiffness, &nodes.damping}) {
     column->clear();
   }
   nodes.vertex.clear();
@@ -140,7 +164,8 @@ void pack_bodies(WaveBodies& waves, const MechanicsState& state, const StepInput
   for_each_living(state, input.members, [&](const Component& component) {
     if (deforms_in_wave(component)) add_body(waves, state, input, component);
   });
-  nodes.argument.resize(4 * nodes.size());
+  nodes.displacement.resize(4 * nodes.size());
+  nodes.rate.resize(4 * nodes.size());
   nodes.inner.resize(4 * nodes.size());
   nodes.is_held.assign(nodes.size(), 0);
   for (const HeldNode& held : waves.held) nodes.is_held[held.node] = 1;

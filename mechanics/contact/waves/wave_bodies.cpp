@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "mechanics/frame/rotation.hpp"
-#include "mechanics/integrators/coefficients.hpp"
 #include "mechanics/solver/block_lanes.hpp"
 #include "mechanics/state/dense_solve.hpp"
 
@@ -70,15 +70,17 @@ SUNDER_LANES void sum_products(NodeSums& sums, const WaveNodes& nodes, std::size
   store(sums.column[2], c);
 }
 
-/// argument = R^T (x - c + viscosity v) - arm.
-SUNDER_LANES void set_arguments(WaveNodes& nodes, std::size_t first, std::size_t end,
-                                const Turned& back, double viscosity) {
+/// displacement = R^T (x - c) - arm, rate = R^T v. No forces yet.
+SUNDER_LANES void set_motion(WaveNodes& nodes, std::size_t first, std::size_t end,
+                             const Turned& back) {
   const Lanes a = load(back.column[0]), b = load(back.column[1]), c = load(back.column[2]);
-  const Lanes centre = load(back.centre), share = spread(viscosity);
+  const Lanes centre = load(back.centre);
   for (std::size_t i = first; i < end; ++i) {
-    const Lanes p = load(&nodes.position[4 * i]) - centre + share * load(&nodes.velocity[4 * i]);
-    store(&nodes.argument[4 * i],
+    const Lanes p = load(&nodes.position[4 * i]) - centre, v = load(&nodes.velocity[4 * i]);
+    store(&nodes.displacement[4 * i],
           a * spread(p[0]) + b * spread(p[1]) + c * spread(p[2]) - load(&nodes.arm[4 * i]));
+    store(&nodes.rate[4 * i], a * spread(v[0]) + b * spread(v[1]) + c * spread(v[2]));
+    store(&nodes.inner[4 * i], Lanes{0, 0, 0, 0});
   }
 }
 
@@ -102,6 +104,12 @@ SUNDER_LANES void add_ways(WaveNodes& nodes, std::size_t first, std::size_t end,
     store(&nodes.position[4 * i],
           load(&nodes.position[4 * i]) + spread(step) * load(&nodes.velocity[4 * i]));
   }
+}
+
+template <class Rows>
+std::span<const typename Rows::value_type> rows_of(const Rows& rows, std::size_t first,
+                                                   std::size_t end) {
+  return std::span(rows).subspan(first, end - first);
 }
 
 /// A body's frame, and the matrix that makes forces free of torque.
@@ -203,13 +211,10 @@ void kick(WaveBodies& waves, WaveBody& body, double step) {
   if (!body.supported) frame = follow_frame(body, nodes);
   body.weight_place += step * body.frame.centre;
   const Mat3& R = frame.R;
-  set_arguments(nodes, first, end, turned(R.transpose(), body.frame.centre), body.viscosity);
-  std::fill(&nodes.inner[4 * first], &nodes.inner[4 * first] + 4 * (end - first), 0.0);
-  add_block_forces(nodes.inner.data(), nodes.argument.data(),
-                   waves.blocks.data() + body.first_block, body.end_block - body.first_block);
-  add_second_order_forces(
-      nodes.inner, nodes.argument,
-      std::span(waves.second).subspan(body.first_second, body.end_second - body.first_second));
+  set_motion(nodes, first, end, turned(R.transpose(), body.frame.centre));
+  const NodeMotion motion{nodes.displacement, nodes.rate, nodes.inner};
+  add_block_forces(motion, rows_of(waves.blocks, body.first_block, body.end_block));
+  add_second_order_forces(motion, rows_of(waves.second, body.first_second, body.end_second));
   add_mass_damping(nodes, body);
   Mat3 Q = Mat3::Zero();
   if (!body.supported) Q = R * cross_matrix(torque_share(body, nodes, frame));
@@ -266,11 +271,13 @@ void drift(WaveBodies& waves, WaveBody& body, double step) {
 }
 
 double stable_step(const WaveBodies& waves, const WaveBody& body) {
-  double largest = 0;
+  double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = body.first_node; i < body.end_node; ++i) {
-    largest = std::max(largest, waves.nodes.stiffness[i] * waves.nodes.inverse_mass[i]);
+    const double w = waves.nodes.inverse_mass[i];
+    const double s = w * waves.nodes.stiffness[i], d = w * waves.nodes.damping[i];
+    if (s > 0) least = std::min(least, 4 / (d + std::sqrt(d * d + 4 * s)));
   }
-  return damped_step_bound(2 / std::sqrt(largest), body.viscosity);
+  return least;
 }
 
 }  // namespace sunder

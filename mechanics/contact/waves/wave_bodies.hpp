@@ -15,15 +15,17 @@ namespace sunder {
 
 /// Rows of the nodes of all bodies.
 struct WaveNodes {
-  QuadColumn position;  ///< m, world
-  QuadColumn velocity;  ///< m/s, world
-  QuadColumn argument;  ///< m, body frame: the displacement, and `viscosity` times its rate
-  QuadColumn inner;     ///< N, body frame: K times the argument
-  QuadColumn arm;       ///< m: rest position against the rest centre
-  QuadColumn load;      ///< m/s^2, world: gravity and surface loads
+  QuadColumn position;      ///< m, world
+  QuadColumn velocity;      ///< m/s, world
+  QuadColumn displacement;  ///< m, body frame
+  QuadColumn rate;          ///< m/s, body frame: the velocity
+  QuadColumn inner;         ///< N, body frame: K times displacements, and C times their rates
+  QuadColumn arm;           ///< m: rest position against the rest centre
+  QuadColumn load;          ///< m/s^2, world: gravity and surface loads
   std::vector<double> mass,
       inverse_mass;               ///< kg, 1/kg; the inverse is 0 where a node is held whole
   std::vector<double> stiffness;  ///< N/m: sum over elements of c k_a (`coupling_of`)
+  std::vector<double> damping;    ///< N s/m: likewise, each times the viscosity of its element
   std::vector<char> is_held;      ///< by a support, along some axis at least
   std::vector<VertexId> vertex;
 
@@ -45,7 +47,6 @@ struct WaveBody {
   std::size_t first_second = 0, end_second = 0;
   std::size_t first_held = 0, end_held = 0;
   double mass = 0;          ///< kg
-  double viscosity = 0;     ///< s: factor of the stiffness
   double mass_damping = 0;  ///< 1/s: factor of the mass, on rates of deformation
   bool supported = false;
   Vec3 frame_velocity{0, 0, 0};  ///< m/s, of a supported one
@@ -69,7 +70,8 @@ struct WaveBodies {
   std::vector<HeldNode> held;
   std::vector<std::uint32_t> node_of_vertex;     ///< row = VertexId
   std::vector<std::uint32_t> body_of_component;  ///< row = ComponentId; `no_node`: moves rigidly
-  std::vector<double> coupling;                  ///< row = TetId; elements keep it for ever
+  /// Row = TetId: N/m, c k_a of its nodes (`coupling_of`); elements keep it for ever.
+  std::vector<std::array<double, 10>> stiffness;
   QuadColumn velocity_before;  ///< m/s, as the step at hand began, where work is measured
   Vec3 gravity{0, 0, 0};       ///< m/s^2
   bool measures_work = false;
@@ -94,15 +96,17 @@ void kick(WaveBodies& waves, WaveBody& body, double step);
 /// Gives held nodes the velocity of their support along the axes on which they are held.
 void follow_supports(WaveBodies& waves, const WaveBody& body);
 
-/// Adds the work of the last kick's forces on the mean of two velocities: before the kick, and after
-/// its contacts. On held nodes the rest is the work of supports and contacts (`RowWork::on_held`).
+/// Adds the work of the last kick's forces on the mean of two velocities: before the kick, and
+/// after its contacts. On held nodes the rest is the work of supports and contacts
+/// (`RowWork::on_held`).
 void measure_work(const WaveBodies& waves, WaveBody& body);
 
 /// position += `step` s times velocity.
 void drift(WaveBodies& waves, WaveBody& body, double step);
 
-/// s: the longest step that is stable for a body, its viscosity included: with w^2 the bound of
-/// `coupling_of` and b the viscosity, (2 / w) (sqrt(1 + (b w / 2)^2) - b w / 2).
+/// s: the longest step h that is stable for a body: at each node h^2 s + 2 h d <= 4 m, with s and d
+/// the sums of stiffness and damping. Then h^2 K + 2 h C <= 4 M, the bound of central differences
+/// with forces of viscosity from the velocity half a step before.
 double stable_step(const WaveBodies& waves, const WaveBody& body);
 
 }  // namespace sunder

@@ -3,7 +3,9 @@
 #include "mechanics/contact/waves/explicit_wave.hpp"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
+#include <map>
 
 #include "mechanics/contact/detection/contact_partners.hpp"
 #include "mechanics/contact/shapes/obstacle_geometry.hpp"
@@ -37,7 +39,8 @@ void predict_free_flight(ContactStep& step, double ahead) {
   }
 }
 
-/// Whether the bodies of a contact are members that move. A sleeping one waits for the next detection.
+/// Whether the bodies of a contact are members that move. A sleeping one waits for the next
+/// detection.
 bool takes_part(const ContactStep& step, const ContactPoint& contact) {
   bool all = true;
   for_each_component(contact, step.pass.state, [&](ComponentId id) {
@@ -47,18 +50,71 @@ bool takes_part(const ContactStep& step, const ContactPoint& contact) {
   return all;
 }
 
-/// Contacts of the part before where they are now, and crack faces as they are now.
+/// Whether a vertex of a member is farther from where the last search for contacts expected it than
+/// a share of the mean edge.
+bool has_strayed(const ContactStep& step) {
+  constexpr double share = 0.04;
+  const WaveScratch& wave = *step.scratch.wave;
+  const VertexColumns& v = step.pass.state.vertices;
+  const double since = wave.since_search - step.h();
+  const double most = share * step.scratch.detect.mean_edge;
+  for (std::size_t i = 0; i < wave.searched_position.size(); ++i) {
+    if (!step.pass.input.members.has(v.component[i])) continue;
+    const Vec3 expected = wave.searched_position[i] + since * wave.searched_velocity[i];
+    if ((v.position[i] - expected).squaredNorm() > most * most) return true;
+  }
+  return false;
+}
+
+using VertexCopy = std::pair<VertexId, VertexId>;
+
+/// Vertices that fans have split since the part before, each with a copy of it: they are still
+/// where it was. Sorted.
+std::vector<VertexCopy> copies_since(const std::vector<Vec3>& position, std::size_t before) {
+  std::map<std::array<double, 3>, std::vector<VertexId>> at;
+  const auto key_of = [&](std::size_t v) {
+    return std::array{position[v].x(), position[v].y(), position[v].z()};
+  };
+  for (std::size_t v = before; v < position.size(); ++v) at[key_of(v)].emplace_back(v);
+  std::vector<VertexCopy> copies;
+  for (std::size_t v = 0; v < before && !at.empty(); ++v) {
+    const auto found = at.find(key_of(v));
+    if (found == at.end()) continue;
+    for (const VertexId copy : found->second) copies.emplace_back(VertexId{v}, copy);
+  }
+  return copies;
+}
+
+/// Of a vertex and an obstacle.
+bool is_on_obstacle(const ContactPoint& contact) {
+  return !contact.vertex.is_none() && contact.obstacle != ContactPoint::none;
+}
+
+/// Contacts of the part before where they are now, those of split vertices for all their copies.
+/// Vertices on obstacles and crack faces are found as they are now.
 void take_kept_contacts(ContactStep& step) {
   const StepPaths paths = paths_of(step);
-  for (ContactPoint contact : step.scratch.wave->kept) {
-    if (!contact.face.is_none() || !takes_part(step, contact)) continue;
+  const WaveScratch& wave = *step.scratch.wave;
+  const auto take = [&](ContactPoint contact) {
+    if (!takes_part(step, contact)) return;
     contact.impulse.setZero();
     contact.offset = contact.gap_start - contact.normal.dot(path_of(contact, paths).start);
     step.contacts.push_back(contact);
+  };
+  const std::vector<VertexCopy> copies =
+      copies_since(step.pass.state.vertices.position, wave.vertices_of_kept);
+  for (ContactPoint contact : wave.kept) {
+    if (!contact.face.is_none() || is_on_obstacle(contact)) continue;
+    take(contact);
+    if (contact.vertex.is_none()) continue;
+    for (const VertexCopy& copy :
+         std::ranges::equal_range(copies, contact.vertex, {}, &VertexCopy::first)) {
+      contact.vertex = copy.second;
+      take(contact);
+    }
   }
   DetectScratch& detect = step.scratch.detect;
-  detect.found.clear();
-  detect.found_gap.clear();
+  find_on_obstacles(detect, paths, step.settings);
   if (step.settings.between_pieces) {
     find_between_partners(detect, step.memory, paths, step.settings);
   }
@@ -133,11 +189,20 @@ LumpedRow row_of(WaveScratch& wave, const ContactStep& step, const ContactPoint&
 }  // namespace
 
 void gather_contacts(ContactStep& step) {
-  const double ahead = step.pass.input.part.contacts_for;
+  WaveScratch& wave = *step.scratch.wave;
+  double ahead = step.pass.input.part.contacts_for;
+  wave.since_search += step.h();
   if (ahead == 0) {
-    predict_free_flight(step, step.h());
-    return take_kept_contacts(step);
+    ahead = wave.searched_for - (wave.since_search - step.h());
+    if (!has_strayed(step)) {
+      predict_free_flight(step, step.h());
+      return take_kept_contacts(step);
+    }
   }
+  wave.searched_position = step.pass.state.vertices.position;
+  wave.searched_velocity = step.pass.state.vertices.velocity;
+  wave.searched_for = ahead;
+  wave.since_search = step.h();
   step.ahead = ahead;
   predict_free_flight(step, ahead);
   step.look = ContactStep::Look::all;

@@ -114,3 +114,32 @@ TEST_CASE("a bar that strikes a wall has the stress of rho c v, at any step and 
   INFO("step " << step << ", fraction " << fraction);
   CHECK(peak == Approx(stress).epsilon(0.05));
 }
+
+TEST_CASE("pieces that nothing strikes are rigid within explicit steps alone", "[fracture][impact]") {
+  Scene scene = struck_block(1);
+  scene.fracture.crack = CrackMode::object;
+  scene.bodies[0].material.tensile_strength = 2e5;
+  Simulation sim = built(std::move(scene));
+  std::size_t stiff = 0, deforming = 0;
+  const StepObserver count = [&](const Simulation& now, const PartReport& part) {
+    for (const Component& c : now.state->mechanics.components) {
+      if (c.rung != Rung::stiff) continue;
+      CHECK(part.deformation == Deformation::wave);
+      CHECK(now.state->impact.quiet[c.id.index()] == ImpactWindow::closed);
+      ++stiff;
+      for (const VertexId v : c.vertices) {
+        deforming += !now.state->mechanics.vertices.displacement_rate[v.index()].isZero(0);
+      }
+    }
+  };
+  double residual = 0, moved = 0;
+  for (int k = 0; k < 25; ++k) {
+    const StepReport report = advance(sim, count);
+    residual += report.energy.residual;
+    moved += report.energy.moved;
+    for (const Component& c : sim.state->mechanics.components) CHECK(c.rung != Rung::stiff);
+  }
+  CHECK(stiff > 0);
+  CHECK(deforming == 0);
+  CHECK(std::abs(residual) < 1e-4 * moved);
+}

@@ -100,7 +100,7 @@ TEST_CASE("pairs that are kept give the contacts that a search in each step give
   CHECK(kept.near_solids.searches < steps / 2);
 }
 
-TEST_CASE("ways are measured against the mean of all", "[mechanics][contact]") {
+TEST_CASE("ways are measured against the affine field of all", "[mechanics][contact]") {
   std::mt19937 random(6);
   Crowd crowd(random);
   for (std::size_t k = 0; k < crowd.velocity.size(); ++k) {
@@ -108,12 +108,42 @@ TEST_CASE("ways are measured against the mean of all", "[mechanics][contact]") {
     crowd.spin[k].setZero();
   }
   Travel travel;
+  travel.reach = 0.5;
   crowd.predict(0.01, false);
   update_travel(travel, crowd.paths(0.01));
   CHECK(travel.farthest < 1e-12);
-  crowd.velocity[2].y() = 3;
+  // A cloud that grows brings nothing together but what is far apart.
+  for (Vec3& x : crowd.predicted) x *= 1.01;
+  update_travel(travel, crowd.paths(0.01));
+  CHECK(travel.farthest == Approx(0.25 * (0.01 * std::sqrt(3.0) + 0.0003)));
+}
+
+TEST_CASE("two features come nearer by the ways of their bodies at most", "[mechanics][contact]") {
+  std::mt19937 random(7);
+  Crowd crowd(random);
+  Travel travel;
+  travel.reach = 2;
   crowd.predict(0.01, true);
   update_travel(travel, crowd.paths(0.01));
-  CHECK(travel.so_far[2] == Approx(0.03 * 5 / 6));
-  CHECK(travel.so_far[1] == Approx(0.03 / 6));
+  const std::vector<Vec3> start = crowd.state.vertices.position;
+  const std::vector<double> so_far = travel.so_far;
+  for (int k = 0; k < 10; ++k) {
+    crowd.predict(0.01, true);
+    update_travel(travel, crowd.paths(0.01));
+  }
+  const std::vector<Vec3>& end = crowd.state.vertices.position;
+  std::size_t nearer = 0;
+  for (std::size_t v = 0; v < start.size(); ++v) {
+    for (std::size_t w = 0; w < v; ++w) {
+      const std::size_t a = crowd.state.vertices.component[v].index();
+      const std::size_t b = crowd.state.vertices.component[w].index();
+      const double before = (start[v] - start[w]).norm();
+      if (a == b || before > travel.reach) continue;
+      const double ways = travel.so_far[a] - so_far[a] + travel.so_far[b] - so_far[b];
+      const double approach = before - (end[v] - end[w]).norm();
+      CHECK(approach <= ways * (1 + 1e-9));
+      nearer += approach > 0.2 * ways;
+    }
+  }
+  CHECK(nearer > 0);
 }

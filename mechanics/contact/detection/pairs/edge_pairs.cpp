@@ -78,9 +78,10 @@ void refresh_edges(DetectScratch& scratch, const StepPaths& paths, double margin
   SolidPairs& pairs = scratch.solid_pairs;
   pairs.boxes.clear();
   pairs.body.clear();
-  std::vector<std::uint32_t> numbers;
+  std::vector<std::uint32_t> numbers, rows;
   const std::vector<SurfaceEdge>& edges = scratch.surface.edges;
-  for (const SurfaceEdge& edge : edges) {
+  for (std::uint32_t row = 0; row < edges.size(); ++row) {
+    const SurfaceEdge& edge = edges[row];
     if (!may_be_sharp(paths, edge)) continue;
     const std::uint32_t body = paths.state.vertices.component[edge.end[0].index()].value;
     const Vec3 wide = Vec3::Constant(margin + width_of(query, body));
@@ -88,8 +89,17 @@ void refresh_edges(DetectScratch& scratch, const StepPaths& paths, double margin
     pairs.boxes.push_back({p.cwiseMin(q) - wide, p.cwiseMax(q) + wide});
     pairs.body.push_back(body);
     numbers.push_back(edge_number(edge));
+    rows.push_back(row);
   }
-  add_pairs(scratch.near_edges, pairs.grid, pairs.boxes, pairs.body, numbers);
+  find_stale_pairs(pairs.found, scratch.near_edges, pairs);
+  // Boxes of long edges overlap far from the edges.
+  std::erase_if(pairs.found, [&](const RowPair& pair) {
+    const auto [p, q] = pair;
+    const double reach =
+        2 * margin + width_of(query, pairs.body[p]) + width_of(query, pairs.body[q]);
+    return distance_at_start(paths, edges[rows[p]], edges[rows[q]]) > reach;
+  });
+  add_pairs(scratch.near_edges, pairs.found, pairs.body, numbers);
 }
 
 double distance_at_start(const StepPaths& paths, const SurfaceEdge& a, const SurfaceEdge& b) {

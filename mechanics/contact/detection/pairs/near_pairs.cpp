@@ -7,26 +7,26 @@
 #include <limits>
 
 #include "mechanics/contact/detection/contact_detect.hpp"
+#include "mechanics/frame/affine_motion.hpp"
 
 namespace sunder {
 namespace {
 
-/// Row = component: the farthest that one of its vertices goes from `from` to `to`, against the
-/// mean of all.
-template <class Add>
-void measure_ways(std::span<const Vec3> from, std::span<const Vec3> to,
-                  std::span<const ComponentId> component, Add add) {
+/// Row = component, into `way`: the farthest that one of its vertices goes from `from` to `to`
+/// against the field of all, and half of what the field does within `reach`, m.
+void measure_ways(std::vector<double>& way, std::span<const Vec3> from, std::span<const Vec3> to,
+                  std::span<const ComponentId> component, double reach) {
   const std::size_t count = std::min(from.size(), to.size());
-  Vec3 mean = Vec3::Zero();
-  for (std::size_t v = 0; v < count; ++v) mean += to[v] - from[v];
-  mean /= static_cast<double>(std::max<std::size_t>(count, 1));
+  const AffineMotion field = fit_affine_motion(
+      count, [&](std::size_t v) -> const Vec3& { return from[v]; },
+      [&](std::size_t v) { return Vec3(to[v] - from[v]); });
+  std::ranges::fill(way, 0.0);
   for (std::size_t v = 0; v < count; ++v) {
-    add(component[v].index(), (to[v] - from[v] - mean).squaredNorm());
+    double& largest = way[component[v].index()];
+    largest = std::max(largest, (to[v] - from[v] - field.at(from[v])).squaredNorm());
   }
-}
-
-bool by_numbers(const NearPair& p, const NearPair& q) {
-  return std::pair(p.a, p.b) < std::pair(q.a, q.b);
+  const double by_field = 0.5 * reach * largest_approach(field);
+  for (double& largest : way) largest = std::sqrt(largest) + by_field;
 }
 
 }  // namespace
@@ -37,20 +37,11 @@ void update_travel(Travel& travel, const StepPaths& paths) {
   travel.so_far.resize(components, 0);
   travel.parted.resize(components, 0);
   travel.in_step.assign(components, 0);
-  const auto largest = [&](std::size_t c, double squared) {
-    travel.in_step[c] = std::max(travel.in_step[c], squared);
-  };
-  measure_ways(travel.position, v.position, v.component, largest);
-  for (std::size_t c = 0; c < components; ++c) {
-    travel.so_far[c] += std::sqrt(travel.in_step[c]);
-    travel.in_step[c] = 0;
-  }
-  measure_ways(v.position, paths.predicted, v.component, largest);
+  measure_ways(travel.in_step, travel.position, v.position, v.component, travel.reach);
+  for (std::size_t c = 0; c < components; ++c) travel.so_far[c] += travel.in_step[c];
+  measure_ways(travel.in_step, v.position, paths.predicted, v.component, travel.reach);
   travel.farthest = 0;
-  for (double& way : travel.in_step) {
-    way = std::sqrt(way);
-    travel.farthest = std::max(travel.farthest, way);
-  }
+  for (const double way : travel.in_step) travel.farthest = std::max(travel.farthest, way);
   travel.position = v.position;
 }
 
@@ -72,7 +63,7 @@ bool find_stale(NearPairs& pairs, const NearQuery& query) {
   if (!any) return false;
   // With those that are over, those that soon will be: a search costs as much for one as for many.
   for (std::size_t c = 0; c < components; ++c) {
-    if (!is_over(c, std::max(travel.in_step[c], 0.25 * query.margin))) continue;
+    if (!is_over(c, 2 * travel.in_step[c])) continue;
     pairs.is_stale[c] = 1;
     pairs.shape[c] = query.shape[c];
     pairs.limit[c] = travel.so_far[c] + width_of(query, static_cast<std::uint32_t>(c));
@@ -83,12 +74,15 @@ bool find_stale(NearPairs& pairs, const NearQuery& query) {
   return true;
 }
 
-void add_pairs(NearPairs& pairs, BoxScratch& grid, std::span<const Bounds> boxes,
-               std::span<const std::uint32_t> body, std::span<const std::uint32_t> number) {
+void find_stale_pairs(std::vector<RowPair>& found, NearPairs& pairs, SolidPairs& boxes) {
   ++pairs.searches;
-  std::vector<RowPair> found;
-  find_box_pairs(found, grid, {boxes, body, pairs.is_stale, {}});
-  const auto kept = static_cast<std::ptrdiff_t>(pairs.found.size());
+  find_box_pairs(
+      found, boxes.grid,
+      {.boxes = boxes.boxes, .body = boxes.body, .moves = pairs.is_stale, .sorts = false});
+}
+
+void add_pairs(NearPairs& pairs, std::span<const RowPair> found,
+               std::span<const std::uint32_t> body, std::span<const std::uint32_t> number) {
   for (const auto& [p, q] : found) {
     NearPair pair{.a = number[p], .b = number[q], .body_a = body[p], .body_b = body[q]};
     if (pair.b < pair.a) {
@@ -97,9 +91,28 @@ void add_pairs(NearPairs& pairs, BoxScratch& grid, std::span<const Bounds> boxes
     }
     pairs.found.push_back(pair);
   }
-  std::sort(pairs.found.begin() + kept, pairs.found.end(), by_numbers);
-  std::inplace_merge(pairs.found.begin(), pairs.found.begin() + kept, pairs.found.end(),
-                     by_numbers);
+}
+
+void note_contacts(std::vector<PairContacts>& noted, const NearPair& pair,
+                   const DetectScratch& scratch, std::size_t first) {
+  const std::size_t end = scratch.found.size();
+  if (end > first) noted.push_back({pair.a, pair.b, first, end});
+}
+
+void sort_contacts(DetectScratch& scratch, std::vector<PairContacts>& noted) {
+  if (noted.empty()) return;
+  const std::size_t first = noted.front().first;
+  const auto at = static_cast<std::ptrdiff_t>(first);
+  const std::vector<ContactPoint> found(scratch.found.begin() + at, scratch.found.end());
+  const std::vector<double> gap(scratch.found_gap.begin() + at, scratch.found_gap.end());
+  std::ranges::sort(noted, {}, [](const PairContacts& p) { return std::pair(p.a, p.b); });
+  std::size_t row = first;
+  for (const PairContacts& pair : noted) {
+    for (std::size_t k = pair.first; k < pair.end; ++k, ++row) {
+      scratch.found[row] = found[k - first];
+      scratch.found_gap[row] = gap[k - first];
+    }
+  }
 }
 
 bool is_due(const NearPair& pair, const Travel& travel) {

@@ -13,10 +13,14 @@
 namespace sunder {
 
 struct StepPaths;
+struct SolidPairs;
+struct DetectScratch;
 
-/// How far the vertices of components have gone, against the mean of all: two features of two
-/// components come nearer by the sum of both at most.
+/// How far the vertices of components have gone against the affine field that fits all of them, and
+/// how far that field may bring them together: two features of two components that are `reach` or
+/// less apart come nearer by the sum of both at most.
 struct Travel {
+  double reach = 0;             ///< m
   std::vector<Vec3> position;   ///< |V|, m: as the last step began
   std::vector<double> so_far;   ///< row = component: m, the farthest way in each step, summed
   std::vector<double> in_step;  ///< likewise, of the step at hand
@@ -30,7 +34,7 @@ struct Travel {
   }
 };
 
-/// Adds the ways since the last call, and sets those of the step at hand. O(|V|).
+/// Adds the ways since the last call, and sets those of the step at hand. O(|V|). Needs: `reach`.
 void update_travel(Travel& travel, const StepPaths& paths);
 
 /// Two features that may meet, the lower number first.
@@ -50,7 +54,7 @@ bool is_due(const NearPair& pair, const Travel& travel);
 
 /// Pairs, and the state of each component at its last search. May be thrown away at any time.
 struct NearPairs {
-  std::vector<NearPair> found;  ///< sorted by numbers
+  std::vector<NearPair> found;  ///< in any order: it depends on what was searched before
   std::vector<double> limit;    ///< row = component: m, `so_far` from which it is searched again
   std::vector<std::uint64_t> shape;  ///< row = component: its surface then
   std::vector<char> is_stale;        ///< row = component: in the search at hand
@@ -71,10 +75,27 @@ bool find_stale(NearPairs& pairs, const NearQuery& query);
 /// How much wider the boxes of a component are to be, m. Needs: `find_stale`.
 double width_of(const NearQuery& query, std::uint32_t component);
 
-/// Adds the pairs of stale components by boxes of all features: `number` is each one's. O(features
-/// + pairs). Needs: `find_stale`; boxes at the start of the step, wider by `width_of`.
-void add_pairs(NearPairs& pairs, BoxScratch& grid, std::span<const Bounds> boxes,
+/// Pairs of boxes of stale components with all others, in any order. O(boxes + pairs). Needs:
+/// `find_stale`; boxes at the start of the step, wider by `width_of`.
+void find_stale_pairs(std::vector<RowPair>& found, NearPairs& pairs, SolidPairs& boxes);
+
+/// Adds pairs of boxes: `number` is that of each box's feature, `body` its component.
+void add_pairs(NearPairs& pairs, std::span<const RowPair> found,
                std::span<const std::uint32_t> body, std::span<const std::uint32_t> number);
+
+/// Contacts of one pair: rows of `DetectScratch::found`.
+struct PairContacts {
+  std::uint32_t a = 0, b = 0;  ///< the pair's numbers
+  std::size_t first = 0, end = 0;
+};
+
+/// Notes the contacts that a pair has just added behind row `first`, if any.
+void note_contacts(std::vector<PairContacts>& noted, const NearPair& pair,
+                   const DetectScratch& scratch, std::size_t first);
+
+/// Sorts the contacts noted, which are the last ones found, by the numbers of their pairs: their
+/// order must not depend on earlier searches.
+void sort_contacts(DetectScratch& scratch, std::vector<PairContacts>& noted);
 
 /// Row = component: a number that changes whenever its surface does.
 void measure_shapes(std::vector<std::uint64_t>& shape, const PieceSurface& surface,

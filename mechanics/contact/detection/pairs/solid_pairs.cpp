@@ -145,8 +145,10 @@ void box_at_end(DetectScratch& scratch, const StepPaths& paths) {
   });
 }
 
-void update_near(DetectScratch& scratch, const StepPaths& paths) {
-  update_travel(scratch.travel, paths);
+namespace {
+
+/// Shapes of components and the mean edge, where the surface has changed.
+void update_shapes(DetectScratch& scratch, const StepPaths& paths) {
   if (scratch.shape_version == scratch.surface.version &&
       scratch.shape.size() == paths.state.components.size()) {
     return;
@@ -161,6 +163,15 @@ void update_near(DetectScratch& scratch, const StepPaths& paths) {
   }
   const std::size_t count = std::max<std::size_t>(1, scratch.surface.edges.size());
   scratch.mean_edge = length / static_cast<double>(count);
+}
+
+}  // namespace
+
+void update_near(DetectScratch& scratch, const StepPaths& paths) {
+  update_shapes(scratch, paths);
+  // Twice what pairs are bounded for: the mean edge is not always the same.
+  scratch.travel.reach = 2 * scratch.mean_edge;
+  update_travel(scratch.travel, paths);
 }
 
 NearQuery near_query(const DetectScratch& scratch) {
@@ -183,7 +194,8 @@ void refresh_solids(DetectScratch& scratch, const StepPaths& paths) {
   SolidPairs& pairs = scratch.solid_pairs;
   std::vector<std::uint32_t> numbers;
   for (const TetId t : pairs.tetrahedra) numbers.push_back(t.value);
-  add_pairs(scratch.near_solids, pairs.grid, pairs.boxes, pairs.body, numbers);
+  find_stale_pairs(pairs.found, scratch.near_solids, pairs);
+  add_pairs(scratch.near_solids, pairs.found, pairs.body, numbers);
 }
 
 void pair_at_end(DetectScratch& scratch, const StepPaths& paths) {

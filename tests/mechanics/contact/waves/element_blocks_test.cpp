@@ -29,9 +29,12 @@ TEST_CASE("four packed tetrahedra have the forces of each, and places left over 
   for (int trial = 0; trial < 50; ++trial) {
     const std::size_t filled = 1 + static_cast<std::size_t>(trial) % 4;
     ElementBlock block{};
-    QuadColumn argument(4 * 16), inner(4 * 16, 0.0);
+    QuadColumn displacement(4 * 16, 0.0), rate(4 * 16, 0.0), inner(4 * 16, 0.0);
     std::vector<Vec3> expected(16, Vec3::Zero());
-    for (std::size_t i = 0; i < 16; ++i) row_of(argument, i) = random_vector(random);
+    for (std::size_t i = 0; i < 16; ++i) {
+      row_of(displacement, i) = random_vector(random);
+      row_of(rate, i) = random_vector(random);
+    }
     for (std::size_t lane = 0; lane < 4; ++lane) {
       // Elements share node 0.
       const auto first = static_cast<std::uint32_t>(4 * lane);
@@ -44,13 +47,18 @@ TEST_CASE("four packed tetrahedra have the forces of each, and places left over 
       const double volume = tetrahedron_volume(x);
       const ShapeGradient G = shape_gradients(x);
       set_element(block, lane, G, Lame{volume * constants.lambda, volume * constants.mu}, node);
+      const double viscosity = 0.3 * static_cast<double>(lane);
+      block.viscosity[lane] = viscosity;
       CornerVectors d;
-      for (int a = 0; a < 4; ++a) d.col(a) = row_of(argument, node[static_cast<std::size_t>(a)]);
+      for (int a = 0; a < 4; ++a) {
+        const std::uint32_t at = node[static_cast<std::size_t>(a)];
+        d.col(a) = row_of(displacement, at) + viscosity * row_of(rate, at);
+      }
       const CornerVectors f =
           element_force(G, volume, stress_of(displacement_gradient(G, d), constants));
       for (int a = 0; a < 4; ++a) expected[node[static_cast<std::size_t>(a)]] += f.col(a);
     }
-    add_block_forces(inner.data(), argument.data(), &block, 1);
+    add_block_forces({displacement, rate, inner}, {&block, 1});
     for (std::size_t i = 0; i < 16; ++i) {
       CHECK((row_of(inner, i) - expected[i]).norm() < 1e-12);
       CHECK(inner[4 * i + 3] == 0);

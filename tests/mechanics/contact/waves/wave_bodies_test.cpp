@@ -160,23 +160,26 @@ TEST_CASE("viscosity takes energy, never gives any, and as much as stress takes 
   CHECK(body.work.inner == Approx(packed.kinetic() - kinetic_start).epsilon(1e-9));
 }
 
-TEST_CASE("the stable step is that of the whole body's matrix or less", "[mechanics][waves]") {
+TEST_CASE("the stable step is that of the whole body's matrices or less", "[mechanics][waves]") {
   std::mt19937 random(14);
   const int order = GENERATE(1, 2);
+  const double viscosity = GENERATE(0.0, 0.05, 0.3, 3.0);
   Packed packed = deformed_block(order, 0, random);
-  packed.pack(0);
+  packed.pack(viscosity);
   const std::size_t n = packed.waves.nodes.size();
   const auto size = static_cast<Eigen::Index>(3 * n);
-  // Columns of M^-1/2 K M^-1/2 from kicks of unit displacements.
+  const double bound = stable_step(packed.waves, packed.waves.bodies[0]);
+  // Columns of M^-1/2 (h^2 K + 2 h C) M^-1/2 / 4 from forces of displacements and rates.
   Eigen::MatrixXd A = Eigen::MatrixXd::Zero(size, size);
   for (std::size_t i = 0; i < n; ++i) {
     for (int axis = 0; axis < 3; ++axis) {
       WaveNodes& nodes = packed.waves.nodes;
-      QuadColumn argument(4 * n, 0.0), inner(4 * n, 0.0);
-      argument[4 * i + static_cast<std::size_t>(axis)] = 1;
-      add_block_forces(inner.data(), argument.data(), packed.waves.blocks.data(),
-                       packed.waves.blocks.size());
-      add_second_order_forces(inner, argument, packed.waves.second);
+      QuadColumn displacement(4 * n, 0.0), rate = displacement, inner = displacement;
+      displacement[4 * i + static_cast<std::size_t>(axis)] = bound * bound / 4;
+      rate[4 * i + static_cast<std::size_t>(axis)] = bound / 2;
+      const NodeMotion motion{displacement, rate, inner};
+      add_block_forces(motion, packed.waves.blocks);
+      add_second_order_forces(motion, packed.waves.second);
       for (std::size_t k = 0; k < n; ++k) {
         A.block<3, 1>(static_cast<Eigen::Index>(3 * k), static_cast<Eigen::Index>(3 * i) + axis) =
             row_of(inner, k) / std::sqrt(nodes.mass[k] * nodes.mass[i]);
@@ -184,9 +187,20 @@ TEST_CASE("the stable step is that of the whole body's matrix or less", "[mechan
     }
   }
   const double highest = symmetric_eigen(A, Eigen::EigenvaluesOnly).eigenvalues().tail<1>()[0];
-  const double bound = stable_step(packed.waves, packed.waves.bodies[0]);
-  CHECK(bound <= 2 / std::sqrt(highest) * (1 + 1e-9));
-  CHECK(bound > 0.5 * 2 / std::sqrt(highest));
+  CHECK(highest <= 1 + 1e-9);
+  CHECK(highest > 0.25);
+}
+
+TEST_CASE("viscosity shortens the stable step by no more than its share of critical damping",
+          "[mechanics][waves]") {
+  std::mt19937 random(15);
+  const int order = GENERATE(1, 2);
+  Packed packed = deformed_block(order, 0, random);
+  packed.pack(0);
+  const double undamped = stable_step(packed.waves, packed.waves.bodies[0]);
+  packed.pack(1e6);
+  CHECK(stable_step(packed.waves, packed.waves.bodies[0]) ==
+        Approx((std::sqrt(1.25) - 0.5) * undamped));
 }
 
 TEST_CASE("held nodes go on with their support, which does the work that is missing",
