@@ -219,6 +219,7 @@ void take_explicit_part(ContactStep& step) {
   }
   constexpr double share = 0.9;
   const double count = std::ceil(step.h() / (share * bound));
+  prepare_scaled_cells(wave.bodies, step.pass.state, step.pass.input, step.h() / count);
   make_rows(wave, step, count);
   take_ties(wave, step, count);
   run_steps(wave, step, static_cast<int>(count));

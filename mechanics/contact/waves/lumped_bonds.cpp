@@ -19,8 +19,8 @@ Vec3 slip_of(const LumpedBond& bond, const WaveNodes& nodes) {
 }
 
 void strike(const LumpedBond& bond, const Vec3& impulse, WaveNodes& nodes) {
-  row_of(nodes.velocity, bond.a) += nodes.inverse_mass[bond.a] * impulse;
-  row_of(nodes.velocity, bond.b) -= nodes.inverse_mass[bond.b] * impulse;
+  push_node(nodes, bond.a, impulse);
+  push_node(nodes, bond.b, -impulse);
 }
 
 /// J: the work of a bond's impulse on its nodes, and its part on held nodes.

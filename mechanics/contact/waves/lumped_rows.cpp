@@ -49,7 +49,7 @@ void strike(const LumpedSide& side, const Vec3& impulse, LumpedContacts& contact
     return;
   }
   for_each_end(side, contacts, [&](const LumpedEnd& end) {
-    row_of(nodes.velocity, end.node) += end.weight * nodes.inverse_mass[end.node] * impulse;
+    push_node(nodes, end.node, end.weight * impulse);
   });
 }
 
@@ -139,11 +139,15 @@ std::array<double, 2> response_of(const LumpedSide& side, const LumpedContacts& 
     const Mat3 by_turn = -arm * body.inverse_inertia * arm;
     return {body.inverse_mass + normal.dot(by_turn * normal), body.inverse_mass + by_turn.trace()};
   }
-  double sum = 0;
+  double along = 0, across = 0;
   for_each_end(side, contacts, [&](const LumpedEnd& end) {
-    sum += end.weight * end.weight * nodes.inverse_mass[end.node];
+    across += end.weight * end.weight * nodes.inverse_mass[end.node];
+    for_each_end(side, contacts, [&](const LumpedEnd& other) {
+      const Mat3 response = response_between(nodes, end.node, other.node);
+      along += end.weight * other.weight * normal.dot(response * normal);
+    });
   });
-  return {sum, sum};
+  return {along, across};
 }
 
 void measure_gaps(LumpedContacts& contacts, const WaveNodes& nodes, double elapsed) {

@@ -39,17 +39,26 @@ double viscosity_of(const WaveBodies& waves, const StepInput& input, const Eleme
   return input.settings.damping.stiffness_factor + of_fronts;
 }
 
-/// Elements of a component, those of first order by fours. `of_fronts`: s, a viscosity.
+/// Notes the viscosity of a cell: at its nodes, or in its cluster where it is scaled.
+void note_viscosity(WaveBodies& waves, const ElementNodes& own, TetId t, double viscosity,
+                    bool is_scaled) {
+  if (!is_scaled) return add_to_nodes(waves.nodes.damping, waves, own, t, viscosity);
+  const std::uint32_t node = waves.node_of_vertex[own.row[0].index()];
+  waves.nodes.scaled[waves.nodes.cluster[node]].viscosity.push_back(viscosity);
+}
+
+/// Elements of a body, those of first order by fours.
 void add_elements(WaveBodies& waves, const MechanicsState& state, const StepInput& input,
-                  const Component& component, double of_fronts) {
-  for (const TetId t : component.tetrahedra) {
-    add_to_nodes(waves.nodes.stiffness, waves, nodes_of(state.elements, input.corners, t), t, 1);
-  }
+                  WaveBody& body, const std::vector<char>& is_scaled) {
+  const Component& component = state.components[body.id.index()];
+  const double of_fronts = input.part.viscosity * cell_travel(state, component);
+  body.first_block = waves.blocks.size();
+  body.first_second = waves.second.size();
   std::size_t lane = 4;
   for (const TetId t : component.tetrahedra) {
     const ElementNodes own = nodes_of(state.elements, input.corners, t);
     const double viscosity = viscosity_of(waves, input, own, of_fronts);
-    add_to_nodes(waves.nodes.damping, waves, own, t, viscosity);
+    note_viscosity(waves, own, t, viscosity, is_scaled[t.index()]);
     const ShapeGradient& G = state.elements.shape_gradient[t.index()];
     const double volume = state.elements.rest_volume[t.index()];
     const Lame constants = lame(material_of(state, t));
@@ -78,6 +87,8 @@ void add_elements(WaveBodies& waves, const MechanicsState& state, const StepInpu
                 Lame{volume * constants.lambda, volume * constants.mu}, node);
     waves.blocks.back().viscosity[lane++] = viscosity;
   }
+  body.end_block = waves.blocks.size();
+  body.end_second = waves.second.size();
 }
 
 void add_nodes(WaveBodies& waves, const MechanicsState& state, const StepInput& input,
@@ -111,8 +122,6 @@ void add_body(WaveBodies& waves, const MechanicsState& state, const StepInput& i
   WaveBody body;
   body.id = component.id;
   body.first_node = waves.nodes.size();
-  body.first_block = waves.blocks.size();
-  body.first_second = waves.second.size();
   body.first_held = waves.held.size();
   body.mass = component.mass;
   body.mass_damping = input.settings.damping.mass_factor;
@@ -120,11 +129,10 @@ void add_body(WaveBodies& waves, const MechanicsState& state, const StepInput& i
   body.frame = {component.centre, component.orientation};
   if (component.supported) body.frame_velocity = component.frame_velocity;
   add_nodes(waves, state, input, component);
-  add_elements(waves, state, input, component,
-               input.part.viscosity * cell_travel(state, component));
+  for (const TetId t : component.tetrahedra) {
+    add_to_nodes(waves.nodes.stiffness, waves, nodes_of(state.elements, input.corners, t), t, 1);
+  }
   body.end_node = waves.nodes.size();
-  body.end_block = waves.blocks.size();
-  body.end_second = waves.second.size();
   body.end_held = waves.held.size();
   waves.body_of_component[component.id.index()] = static_cast<std::uint32_t>(waves.bodies.size());
   waves.bodies.push_back(body);
@@ -164,6 +172,9 @@ void pack_bodies(WaveBodies& waves, const MechanicsState& state, const StepInput
   for_each_living(state, input.members, [&](const Component& component) {
     if (deforms_in_wave(component)) add_body(waves, state, input, component);
   });
+  std::vector<char> is_scaled;
+  choose_scaled_cells(waves, is_scaled, state, input);
+  for (WaveBody& body : waves.bodies) add_elements(waves, state, input, body, is_scaled);
   nodes.displacement.resize(4 * nodes.size());
   nodes.rate.resize(4 * nodes.size());
   nodes.inner.resize(4 * nodes.size());

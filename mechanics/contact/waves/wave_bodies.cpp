@@ -218,7 +218,9 @@ void kick(WaveBodies& waves, WaveBody& body, double step) {
   add_mass_damping(nodes, body);
   Mat3 Q = Mat3::Zero();
   if (!body.supported) Q = R * cross_matrix(torque_share(body, nodes, frame));
+  begin_scaled_kick(nodes, body, R);
   add_acceleration(nodes, first, end, turned(R, Vec3::Zero()), turned(Q, Vec3::Zero()), step);
+  end_scaled_kick(nodes, body);
   body.kicked = {R, Q, step};
   follow_supports(waves, body);
 }
@@ -255,6 +257,7 @@ void measure_work(const WaveBodies& waves, WaveBody& body) {
       body.work.loads += nodes.mass[i] * row_of(nodes.load, i).dot(way) - by_gravity;
     }
   }
+  body.work.inner += scaled_work(waves, body);
   for (std::size_t k = body.first_held; k < body.end_held; ++k) {
     const std::size_t i = waves.held[k].node;
     const double mass = nodes.mass[i];

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mechanics/contact/waves/element_blocks.hpp"
+#include "mechanics/contact/waves/scaled_cells.hpp"
 #include "mechanics/contact/waves/wave_work.hpp"
 #include "mechanics/state/pose.hpp"
 #include "mechanics/state/step_input.hpp"
@@ -28,6 +29,9 @@ struct WaveNodes {
   std::vector<double> damping;    ///< N s/m: likewise, each times the viscosity of its element
   std::vector<char> is_held;      ///< by a support, along some axis at least
   std::vector<VertexId> vertex;
+  std::vector<ScaledCells> scaled;     ///< clusters of bad cells
+  std::vector<std::uint32_t> cluster;  ///< row of `scaled`, or `ScaledCells::none`
+  std::vector<std::uint32_t> place;    ///< in it
 
   std::size_t size() const { return vertex.size(); }
 };
@@ -46,6 +50,7 @@ struct WaveBody {
   std::size_t first_block = 0, end_block = 0;
   std::size_t first_second = 0, end_second = 0;
   std::size_t first_held = 0, end_held = 0;
+  std::size_t first_scaled = 0, end_scaled = 0;
   double mass = 0;          ///< kg
   double mass_damping = 0;  ///< 1/s: factor of the mass, on rates of deformation
   bool supported = false;
@@ -72,6 +77,7 @@ struct WaveBodies {
   std::vector<std::uint32_t> body_of_component;  ///< row = ComponentId; `no_node`: moves rigidly
   /// Row = TetId: N/m, c k_a of its nodes (`coupling_of`); elements keep it for ever.
   std::vector<std::array<double, 10>> stiffness;
+  std::vector<ScaledCells> scaled_before;  ///< of the part before
   QuadColumn velocity_before;  ///< m/s, as the step at hand began, where work is measured
   Vec3 gravity{0, 0, 0};       ///< m/s^2
   bool measures_work = false;
@@ -88,9 +94,10 @@ bool deforms_in_wave(const Component& component);
 /// microseconds for each tetrahedron that is met for the first time.
 void pack_bodies(WaveBodies& waves, const MechanicsState& state, const StepInput& input);
 
-/// velocity += `step` s times the acceleration where the nodes are: by algorithm 1 in its
-/// conservative form (`deformation_forces`), with viscosity C d' in it, and by loads. Held nodes
-/// keep the velocity of their support. `step` is half of a step at the ends of a part.
+/// Needs: `prepare_scaled_cells`. velocity += `step` s times the acceleration where the nodes are:
+/// by algorithm 1 in its conservative form (`deformation_forces`), with viscosity C d' in it, and
+/// by loads. Held nodes keep the velocity of their support. `step` is half of a step at the ends of
+/// a part.
 void kick(WaveBodies& waves, WaveBody& body, double step);
 
 /// Gives held nodes the velocity of their support along the axes on which they are held.
@@ -104,7 +111,8 @@ void measure_work(const WaveBodies& waves, WaveBody& body);
 /// position += `step` s times velocity.
 void drift(WaveBodies& waves, WaveBody& body, double step);
 
-/// s: the longest step h that is stable for a body: at each node h^2 s + 2 h d <= 4 m, with s and d
+/// s: the longest step h that is stable for a body once its bad cells are scaled
+/// (`prepare_scaled_cells`): at each node, of all other cells, h^2 s + 2 h d <= 4 m, with s and d
 /// the sums of stiffness and damping. Then h^2 K + 2 h C <= 4 M, the bound of central differences
 /// with forces of viscosity from the velocity half a step before.
 double stable_step(const WaveBodies& waves, const WaveBody& body);
