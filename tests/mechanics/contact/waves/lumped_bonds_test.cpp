@@ -25,6 +25,7 @@ struct Pull {
     for (const double sign : {1.0, -1.0}) {
       nodes.mass.push_back(sign > 0 ? 0.3 : 0.2);
       nodes.inverse_mass.push_back(1 / nodes.mass.back());
+      nodes.cluster.push_back(ScaledCells::none);
       nodes.vertex.emplace_back(nodes.size());
       nodes.is_held.push_back(0);
       nodes.position.insert(nodes.position.end(), {1.0, 2.0, 3.0, 0.0});

@@ -22,6 +22,7 @@ struct Problem {
     for (std::size_t i = 0; i < count; ++i) {
       nodes.mass.push_back(1.0 + static_cast<double>(i % 5));
       nodes.inverse_mass.push_back(1 / nodes.mass.back());
+      nodes.cluster.push_back(ScaledCells::none);
       nodes.vertex.emplace_back(i);
       nodes.is_held.push_back(0);
       for (QuadColumn* column : {&nodes.position, &nodes.velocity}) {
