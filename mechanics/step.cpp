@@ -75,8 +75,8 @@ void predict_component(MechanicsScratch& scratch, MechanicsState& state, const S
   if (is_isolated(component) && input.settings.isolated == IsolatedTetrahedra::qr) {
     return step_edge_framed(step);
   }
-  if (component.rigid || component.rung == Rung::rigid ||
-      component.rung == Rung::stiff) {
+  const bool is_stiff = component.rung == Rung::rigid || component.rung == Rung::stiff;
+  if (component.rigid || is_stiff) {
     step_rigid_body(step);
     return;
   }

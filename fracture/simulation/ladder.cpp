@@ -38,7 +38,8 @@ void find_loaded(std::vector<char>& loaded, const SimulationState& s) {
   }
 }
 
-/// Marks components with bonds: parts that bonds alone hold together have no equilibrium by K.
+}  // namespace
+
 void find_tied(std::vector<char>& tied, const SimulationState& s) {
   tied.assign(s.mechanics.components.size(), 0);
   for (const Tie& tie : s.contact.ties) {
@@ -46,8 +47,6 @@ void find_tied(std::vector<char>& tied, const SimulationState& s) {
     tied[s.mechanics.elements.component[t.index()].index()] = 1;
   }
 }
-
-}  // namespace
 
 double stop_deforming(MechanicsState& state, const Component& component) {
   VertexColumns& vertices = state.vertices;

@@ -26,6 +26,10 @@ namespace sunder {
 /// bodies). O(rows of the component).
 double flight_stress_bound(const MechanicsState& state, const Component& component);
 
+/// Marks components with cohesive bonds; rows of `tied` = ComponentId. Parts that bonds alone hold
+/// together have no equilibrium by K.
+void find_tied(std::vector<char>& tied, const SimulationState& state);
+
 /// Vertices of a free component move with its frame alone from now on. Gives the kinetic energy of
 /// its deformation, which is lost, J. Momenta stay. O(vertices of the component).
 double stop_deforming(MechanicsState& state, const Component& component);

@@ -151,8 +151,8 @@ void begin_members(StepPlan& plan, const Scene& scene, SimulationState& s) {
   if (!plan.throughout) plan.still = sub_steps_before(plan.blow, plan.left, s.impact.sub_step);
 }
 
-/// For how many sub-steps contacts are found at once: what moves goes no farther against the rest
-/// than a share of a cell, and no farther than the step still lasts.
+/// For how many sub-steps contacts are found at once. Members move against each other by a tenth of
+/// the smallest mean cell, and the step does not end before.
 std::uint64_t sub_steps_of_contacts(const StepPlan& plan, const SimulationState& s) {
   constexpr double share_of_cell = 0.1;
   double cell = std::numeric_limits<double>::infinity();  // m
@@ -162,7 +162,7 @@ std::uint64_t sub_steps_of_contacts(const StepPlan& plan, const SimulationState&
     const double speed = compression_wave_speed(material_of(s.mechanics, c.tetrahedra.front()));
     cell = std::min(cell, speed * cell_travel(s.mechanics, c));
   }
-  const double speed = fastest_member(plan, s);
+  const double speed = speed_among_members(plan, s);
   double longest = time_left(plan, s);
   if (speed > 0) longest = std::min(longest, share_of_cell * cell / speed);
   const double count = std::floor(longest / s.impact.sub_step * (1 + 1e-9));

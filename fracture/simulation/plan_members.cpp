@@ -34,7 +34,7 @@ void take_those(StepPlan& plan, const SimulationState& s, Fits fits) {
 
 }  // namespace
 
-double fastest_member(const StepPlan& plan, const SimulationState& s) {
+double speed_among_members(const StepPlan& plan, const SimulationState& s) {
   const VertexColumns& v = s.mechanics.vertices;
   std::vector<std::size_t> rows;
   for (std::size_t i = 0; i < v.size(); ++i) {
@@ -61,21 +61,18 @@ double fastest_member(const StepPlan& plan, const SimulationState& s) {
 
 void stiffen_members(StepPlan& plan, SimulationState& s) {
   const std::vector<ComponentId>& parent = s.cells.labels.parent;
-  std::vector<char> deforms(s.mechanics.components.size(), 1);
-  for (std::size_t k = 0; k < parent.size(); ++k) {
-    if (parent[k].is_none()) continue;
-    deforms[k] = deforms[parent[k].index()] = 0;
-  }
+  std::vector<char> deforms;
+  find_tied(deforms, s);
   for (const ComponentId id : open_windows(s.impact)) deforms[id.index()] = 1;
-  for (const Tie& tie : s.contact.ties) {
-    const TetId t = tetrahedron_of(tie.face);
-    deforms[s.mechanics.elements.component[t.index()].index()] = 1;
+  std::vector<char> came_off(s.mechanics.components.size(), 0);
+  for (std::size_t k = 0; k < parent.size(); ++k) {
+    if (!parent[k].is_none()) came_off[k] = came_off[parent[k].index()] = 1;
   }
   for (Component& c : s.mechanics.components) {
     const std::size_t row = c.id.index();
     if (c.rung == Rung::stiff && deforms[row]) c.rung = Rung::full;
     const bool may = plan.components[row] && c.rung == Rung::full && !c.supported && !c.rigid;
-    if (!may || c.tetrahedra.empty() || deforms[row]) continue;
+    if (!may || c.tetrahedra.empty() || deforms[row] || !came_off[row]) continue;
     plan.released += stop_deforming(s.mechanics, c);
     c.rung = Rung::stiff;
   }

@@ -29,16 +29,15 @@ void take_the_members(StepPlan& plan, const SimulationState& state);
 /// off take their vertices' with them.
 void note_strengths(StepPlan& plan, const Scene& scene, const SimulationState& state);
 
-/// m/s: the largest speed of a member's vertex against the affine field that fits the members'
-/// vertices, or of an obstacle against their mean.
-double fastest_member(const StepPlan& plan, const SimulationState& state);
+/// m/s: the larger of two speeds. One vertex in a hundred of the members exceeds the first, against the
+/// affine field that fits their vertices. The fastest obstacle has the second, against their mean.
+double speed_among_members(const StepPlan& plan, const SimulationState& state);
 
-/// Pieces that came off some body and that no blow has struck, nor a crack: they move as rigid
-/// bodies in explicit steps (`Rung::stiff`), and deform again once their windows open. Supported
-/// and tied pieces, and bodies that are still whole, deform always.
+/// Makes rigid bodies (`Rung::stiff`) of members that came off a body and have no open window. They
+/// deform again once their windows open. Supported and tied pieces, and whole bodies, deform always.
 void stiffen_members(StepPlan& plan, SimulationState& state);
 
-/// All of them deform from here on.
+/// Members that were stiff deform from here on.
 void unstiffen_members(SimulationState& state);
 
 }  // namespace sunder

@@ -100,6 +100,14 @@ std::uint32_t sub_step_count(double length, double bound) {
   return whole_number<std::uint32_t>(std::max(1.0, count));
 }
 
+double damped_step_bound(double bound, double stiffness_factor) {
+  // Written so that nothing cancels where the damping is strong.
+  return std::isinf(bound) ? bound
+                           : bound * bound /
+                                 (std::sqrt(bound * bound + stiffness_factor * stiffness_factor) +
+                                  stiffness_factor);
+}
+
 double component_step_bound(MechanicsScratch& scratch, const MechanicsState& state,
                             const Component& component, const RayleighDamping& damping) {
   std::vector<double>& bounds = scratch.element_step_bound;

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <span>
 
-#include "mechanics/integrators/coefficients.hpp"
 #include "mechanics/integrators/component_step.hpp"
 
 namespace sunder {
@@ -24,6 +23,10 @@ void step_sub_stepped(const ComponentStep& step);
 /// Least count of equal parts of `length` (s) below nine tenths of `bound` (s).
 /// More than four thousand million are told as that.
 std::uint32_t sub_step_count(double length, double bound);
+
+/// The longest stable step, s, with damping of b (`stiffness_factor`, s) where it is B (`bound`)
+/// without: sqrt(B^2 + b^2) - b, as the damping acts by the velocity of half a step before.
+double damped_step_bound(double bound, double stiffness_factor);
 
 /// The least over the elements of a component of what `explicit_step_bound` tells, with the damping
 /// of the settings; elements are measured once and kept in `scratch`.

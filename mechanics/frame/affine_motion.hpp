@@ -8,7 +8,7 @@
 
 namespace sunder {
 
-/// u(x) = mean + gradient (x - centre), in the units of what it was fitted to.
+/// u(x) = mean + gradient (x - centre), in the units of the fitted ways.
 struct AffineMotion {
   Vec3 centre = Vec3::Zero();  ///< m
   Vec3 mean = Vec3::Zero();

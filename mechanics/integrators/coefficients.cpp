@@ -72,12 +72,4 @@ ImpulseCoefficients impulse_coefficients(const IntegratorSettings& settings) {
   return {0, h};
 }
 
-double damped_step_bound(double bound, double stiffness_factor) {
-  // Written so that nothing cancels where the damping is strong.
-  return std::isinf(bound) ? bound
-                           : bound * bound /
-                                 (std::sqrt(bound * bound + stiffness_factor * stiffness_factor) +
-                                  stiffness_factor);
-}
-
 }  // namespace sunder

@@ -54,10 +54,6 @@ RayleighDamping wave_damping(const StepInput& input, double cell_travel);
 /// A = M + theta h C + theta^2 h^2 K of a wave, for the change of velocity.
 SystemMatrix wave_matrix(const StepInput& input, double cell_travel);
 
-/// The longest stable step, s, with damping of b (`stiffness_factor`, s) where it is B (`bound`)
-/// without: sqrt(B^2 + b^2) - b, as the damping acts by the velocity of half a step before.
-double damped_step_bound(double bound, double stiffness_factor);
-
 /// Displacement at the end of a step for a unit change of momentum at its start, elastic part:
 /// inverse A^-1 + mass M^-1 on deformations. From A da = -C dv - h (1-alpha_f) K dv and
 /// dd = h dv + beta h^2 da, dv = M^-1 j, with K M^-1 written through A.

@@ -9,6 +9,7 @@
 #include "mechanics/integrators/coefficients.hpp"
 #include "mechanics/integrators/component_step.hpp"
 #include "mechanics/state/dense_solve.hpp"
+#include "mechanics/state/inertia.hpp"
 #include "mechanics/state/supports.hpp"
 #include "topology/base/assert.hpp"
 
@@ -176,9 +177,7 @@ Mat3 world_inertia(const MechanicsState& state, const Component& component) {
   Mat3 inertia = Mat3::Zero();
   for (VertexId v : component.vertices) {
     const Vec3 arm = state.vertices.position[v.index()] - component.centre;
-    const double m = state.vertices.mass[v.index()];
-    inertia -= m * arm * arm.transpose();
-    inertia.diagonal().array() += m * arm.squaredNorm();
+    add_inertia(inertia, state.vertices.mass[v.index()], arm);
   }
   return inertia;
 }

@@ -8,6 +8,7 @@
 #include "mechanics/frame/rigid_reference.hpp"
 #include "mechanics/integrators/model_force.hpp"
 #include "mechanics/state/dense_solve.hpp"
+#include "mechanics/state/inertia.hpp"
 
 namespace sunder {
 namespace {
@@ -35,8 +36,7 @@ Corner4 corners_at_start(const ComponentStep& step) {
     const Vec3 arm = vertices.position[v] - body.centre;
     momentum -= m * vertices.velocity[v];
     angular -= m * arm.cross(vertices.velocity[v]);
-    inertia -= m * arm * arm.transpose();
-    inertia.diagonal().array() += m * arm.squaredNorm();
+    add_inertia(inertia, m, arm);
   }
   const Vec3 spin = solve3(inertia, angular);
   for (int a = 0; a < 4; ++a) {

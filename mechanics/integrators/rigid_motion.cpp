@@ -9,6 +9,7 @@
 #include "mechanics/frame/rotation.hpp"
 #include "mechanics/integrators/coefficients.hpp"
 #include "mechanics/state/dense_solve.hpp"
+#include "mechanics/state/inertia.hpp"
 
 namespace sunder {
 namespace {
@@ -80,8 +81,7 @@ Mat3 deformed_inertia(const VertexColumns& vertices, const Component& body) {
   for (VertexId v : body.vertices) {
     const Vec3 q =
         vertices.rest_position[v.index()] - body.rest_centre + vertices.displacement[v.index()];
-    inertia -= vertices.mass[v.index()] * q * q.transpose();
-    inertia.diagonal().array() += vertices.mass[v.index()] * q.squaredNorm();
+    add_inertia(inertia, vertices.mass[v.index()], q);
   }
   return inertia;
 }

@@ -86,6 +86,12 @@ inline Vec3 random_vector(std::mt19937& random) {
   return {unit(random), unit(random), unit(random)};
 }
 
+inline Mat3 random_matrix(std::mt19937& random) {
+  Mat3 A;
+  A << random_vector(random), random_vector(random), random_vector(random);
+  return A;
+}
+
 inline Eigen::Quaterniond random_rotation(std::mt19937& random) {
   std::normal_distribution<double> normal;
   return Eigen::Quaterniond(normal(random), normal(random), normal(random), normal(random))

@@ -2,6 +2,7 @@
 // Shares of mass, and turns of the ladder's lowest moving form.
 #include "fracture/simulation/rubble/rigid_pieces.hpp"
 
+#include "fracture/simulation/ladder.hpp"
 #include "fracture/simulation/simulation_state.hpp"
 
 namespace sunder {
@@ -54,10 +55,7 @@ RebuildReport turn_pieces_rigid(Simulation& sim, std::span<const char> unbreakab
   SimulationState& s = *sim.state;
   RebuildReport all;
   std::vector<char>& tied = sim.scratch->rubble.tied;
-  tied.assign(s.mechanics.components.size(), 0);
-  for (const Tie& tie : s.contact.ties) {
-    tied[s.mechanics.elements.component[tetrahedron_of(tie.face).index()].index()] = 1;
-  }
+  find_tied(tied, s);
   for (Component& c : s.mechanics.components) {
     if (c.tetrahedra.empty()) continue;
     const std::size_t k = c.id.index();

@@ -184,6 +184,18 @@ void find_corners(std::vector<CornerPath>& corners, const StepPaths& paths,
   }
 }
 
+/// Contacts of vertices with obstacles. `reach`: of the vertices.
+void find_vertex_contacts(DetectScratch& scratch, const StepPaths& paths,
+                          const ContactSettings& settings, const VertexReach& reach) {
+  scratch.found.clear();
+  scratch.found_gap.clear();
+  const double rim = rim_of(settings);
+  for (std::uint32_t row = 0; row < paths.obstacles.size(); ++row) {
+    if (!is_far(paths, row, reach)) find_vertex_obstacle(scratch, paths, row, settings.friction, rim);
+  }
+  if (paths.obstacles.size() > 1) leave_out_seams(scratch, paths, rim);
+}
+
 }  // namespace
 
 Shape shape_about_reference(const Obstacle& obstacle) {
@@ -213,21 +225,14 @@ bool may_overlap(const StepPaths& paths, const ContactSettings& settings) {
 
 void find_on_obstacles(DetectScratch& scratch, const StepPaths& paths,
                        const ContactSettings& settings) {
-  scratch.found.clear();
-  scratch.found_gap.clear();
-  const VertexReach reach = reach_of_vertices(paths);
-  const double rim = rim_of(settings);
-  for (std::uint32_t row = 0; row < paths.obstacles.size(); ++row) {
-    if (!is_far(paths, row, reach)) find_vertex_obstacle(scratch, paths, row, settings.friction, rim);
-  }
-  if (paths.obstacles.size() > 1) leave_out_seams(scratch, paths, rim);
+  find_vertex_contacts(scratch, paths, settings, reach_of_vertices(paths));
 }
 
 void find_contacts(DetectScratch& scratch, const ContactMemory& memory, const StepPaths& paths,
                    const ContactSettings& settings) {
   SUNDER_ASSERT(paths.predicted.size() == paths.state.vertices.size(), "predict before contact");
-  find_on_obstacles(scratch, paths, settings);
   const VertexReach reach = reach_of_vertices(paths);
+  find_vertex_contacts(scratch, paths, settings, reach);
   const double rim = rim_of(settings);
   find_between_obstacles(scratch, paths, rim);
   find_edges_of_obstacles(scratch, paths, settings);

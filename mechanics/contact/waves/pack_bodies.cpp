@@ -20,7 +20,7 @@ void push(QuadColumn& column, const Vec3& value) {
 /// motion that the elements around a node allow: bad cells would set a far shorter step else.
 constexpr double largest_damping = 0.5;
 
-/// What an element adds to a sum at its nodes.
+/// Adds the stiffness of an element, times a factor, to a sum at its nodes.
 void add_to_nodes(std::vector<double>& sum, const WaveBodies& waves, const ElementNodes& own,
                   TetId t, double factor) {
   for (std::size_t a = 0; a < own.count; ++a) {

@@ -9,6 +9,7 @@
 
 #include "mechanics/contact/waves/wave_bodies.hpp"
 #include "mechanics/element/second_order.hpp"
+#include "mechanics/state/inertia.hpp"
 #include "topology/base/union_find.hpp"
 
 namespace sunder {
@@ -91,13 +92,18 @@ void mark_cells(std::vector<char>& is_scaled, std::vector<double>& stiffness,
   }
 }
 
+/// No node is in a cluster.
+void clear_clusters(WaveNodes& nodes) {
+  nodes.scaled.clear();
+  nodes.cluster.assign(nodes.size(), ScaledCells::none);
+  nodes.place.assign(nodes.size(), 0);
+}
+
 /// Clusters of the cells that are marked, into `waves.nodes.scaled`; the largest has so many nodes.
 std::size_t gather_clusters(WaveBodies& waves, const std::vector<char>& is_scaled,
                             const MechanicsState& state, const StepInput& input) {
   WaveNodes& nodes = waves.nodes;
-  nodes.scaled.clear();
-  nodes.cluster.assign(nodes.size(), ScaledCells::none);
-  nodes.place.assign(nodes.size(), 0);
+  clear_clusters(nodes);
   UnionFind joined(nodes.size());
   for_each_cell(waves, state, input, [&](TetId t, std::size_t a, std::uint32_t node) {
     if (!is_scaled[t.index()] || a == 0) return;
@@ -221,9 +227,7 @@ void measure_cluster(ScaledCells& cluster, const WaveNodes& nodes) {
   cluster.centre /= mass;
   Mat3 inertia = Mat3::Zero();
   for (const std::uint32_t i : cluster.node) {
-    const Vec3 x = row_of(nodes.position, i) - cluster.centre;
-    inertia -= nodes.mass[i] * x * x.transpose();
-    inertia.diagonal().array() += nodes.mass[i] * x.squaredNorm();
+    add_inertia(inertia, nodes.mass[i], row_of(nodes.position, i) - cluster.centre);
   }
   cluster.inverse_inertia = inertia.inverse();
 }
@@ -234,9 +238,8 @@ void choose_scaled_cells(WaveBodies& waves, std::vector<char>& is_scaled,
                          const MechanicsState& state, const StepInput& input) {
   WaveNodes& nodes = waves.nodes;
   is_scaled.assign(state.elements.size(), 0);
-  nodes.scaled.clear();
-  nodes.cluster.assign(nodes.size(), ScaledCells::none);
-  nodes.place.assign(nodes.size(), 0);
+  waves.scaled_before = std::move(nodes.scaled);
+  clear_clusters(nodes);
   std::vector<double> steps;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     if (nodes.inverse_mass[i] > 0) steps.push_back(step_of(nodes, nodes.stiffness, i));
@@ -285,7 +288,6 @@ void prepare_scaled_cells(WaveBodies& waves, const MechanicsState& state, const 
     cluster.response =
         is_known ? old->second->response : response_of(waves, cluster, is_free, state, input, step);
   }
-  waves.scaled_before = waves.nodes.scaled;
 }
 
 void begin_scaled_kick(WaveNodes& nodes, const WaveBody& body, const Mat3& R) {

@@ -14,13 +14,13 @@ struct WaveBodies;
 struct WaveBody;
 struct WaveNodes;
 
-/// Cells of one body that share nodes, and whose stiffness would set a far shorter step than that
-/// of the others. Their nodes respond with M' = M + sum a_e K_e over these cells, in place of M,
-/// with a_e = (h^2 + 2 h b_e) / 4, h the step and b_e the viscosity of a cell. So h^2 K_e + 2 h C_e
-/// of each is within 4 M', and the stable step is that of the other cells. K_e gives no force to
-/// rigid motions: momenta do not change, and smooth motions hardly do [Olovsson, Simonsson and
-/// Unosson 2005, Int. J. Numer. Meth. Engng 63, 1436-1445]. With central differences it is the
-/// trapezoidal rule for these cells alone.
+/// Cells of one body that share nodes. The other cells allow a far longer step than they do. Their
+/// nodes respond with M' = M + sum a_e K_e over these cells, in place of M, with a_e = (h^2 + 2 h
+/// b_e) / 4, h the step and b_e the viscosity of a cell. So h^2 K_e + 2 h C_e of each is within 4
+/// M', and the stable step is that of the other cells. K_e gives no force to rigid motions: momenta
+/// do not change, and smooth motions hardly do [Olovsson, Simonsson and Unosson 2005, Int. J.
+/// Numer. Meth. Engng 63, 1436-1445]. With central differences it is the trapezoidal rule for these
+/// cells alone.
 struct ScaledCells {
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
   std::size_t body = 0;             ///< row of `WaveBodies::bodies`
@@ -29,7 +29,7 @@ struct ScaledCells {
   std::vector<double> viscosity;  ///< s, row = cell
   Eigen::MatrixXd response;       ///< 1/kg, body frame: M'^-1; 0 for motions that supports hold
   bool is_free = true;            ///< no node is held
-  std::vector<double> key;        ///< what `response` was computed from
+  std::vector<double> key;        ///< the numbers that give `response`
   /// Where the last kick found them: R of the body, mass centre (m), inverse inertia (1/(kg m^2)).
   Mat3 R = Mat3::Identity();
   Vec3 centre = Vec3::Zero();
@@ -41,10 +41,10 @@ struct ScaledCells {
   Eigen::VectorXd own;       ///< likewise, body frame
 };
 
-/// Chooses the cells that are scaled, and takes them out of `WaveNodes::stiffness`. The step aimed
-/// at is one that all but 4 per cent of the nodes allow, or all but fewer where that is worth more,
-/// or where clusters would be large. None where that gains less than a half. `is_scaled`: row =
-/// TetId. Needs: nodes and their sums of stiffness.
+/// Chooses the cells that are scaled, and takes them out of `WaveNodes::stiffness`. All other nodes
+/// allow the step aimed at: 96 per cent of all or more. The share is the one of largest gain with small
+/// clusters. No cell is scaled where the gain is less than a half. `is_scaled`: row = TetId. Needs:
+/// nodes and their sums of stiffness.
 void choose_scaled_cells(WaveBodies& waves, std::vector<char>& is_scaled,
                          const MechanicsState& state, const StepInput& input);
 
@@ -58,8 +58,8 @@ void begin_scaled_kick(WaveNodes& nodes, const WaveBody& body, const Mat3& R);
 /// After it: gives the nodes the velocities of M' in place of those of M.
 void end_scaled_kick(WaveNodes& nodes, const WaveBody& body);
 
-/// J: what forces and impulses did on the scaled nodes of a body since the last kick began, less
-/// what they would have done on M. It comes and goes with the energy of M' - M.
+/// J: the change of kinetic energy of a body's scaled nodes since the last kick began, less the
+/// work of forces and impulses there. The energy of M' - M gives and takes it.
 double scaled_work(const WaveBodies& waves, const WaveBody& body);
 
 /// Adds an impulse (N s) at a node to the velocities: its own by 1/m, those of its cluster by

@@ -9,6 +9,7 @@
 #include "mechanics/frame/rotation.hpp"
 #include "mechanics/solver/block_lanes.hpp"
 #include "mechanics/state/dense_solve.hpp"
+#include "mechanics/state/inertia.hpp"
 
 namespace sunder {
 namespace {
@@ -193,9 +194,7 @@ void add_mass_damping(WaveNodes& nodes, const WaveBody& body) {
 Mat3 inertia_of(const WaveNodes& nodes, const WaveBody& body) {
   Mat3 inertia = Mat3::Zero();
   for (std::size_t i = body.first_node; i < body.end_node; ++i) {
-    const Vec3 x = row_of(nodes.position, i) - body.frame.centre;
-    inertia -= nodes.mass[i] * x * x.transpose();
-    inertia.diagonal().array() += nodes.mass[i] * x.squaredNorm();
+    add_inertia(inertia, nodes.mass[i], row_of(nodes.position, i) - body.frame.centre);
   }
   return inertia;
 }

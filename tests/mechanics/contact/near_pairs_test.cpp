@@ -112,7 +112,7 @@ TEST_CASE("ways are measured against the affine field of all", "[mechanics][cont
   crowd.predict(0.01, false);
   update_travel(travel, crowd.paths(0.01));
   CHECK(travel.farthest < 1e-12);
-  // A cloud that grows brings nothing together but what is far apart.
+  // A cloud that grows has the bound of its field alone.
   for (Vec3& x : crowd.predicted) x *= 1.01;
   update_travel(travel, crowd.paths(0.01));
   CHECK(travel.farthest == Approx(0.25 * (0.01 * std::sqrt(3.0) + 0.0003)));

@@ -12,12 +12,6 @@ using namespace sunder::test;
 
 namespace {
 
-Mat3 random_matrix(std::mt19937& random) {
-  Mat3 M;
-  for (int j = 0; j < 3; ++j) M.col(j) = random_vector(random);
-  return M;
-}
-
 AffineMotion fitted(const std::vector<Vec3>& x, const std::vector<Vec3>& u) {
   return fit_affine_motion(
       x.size(), [&](std::size_t k) { return x[k]; }, [&](std::size_t k) { return u[k]; });

@@ -17,12 +17,6 @@ namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
-Mat3 random_matrix(std::mt19937& random) {
-  Mat3 A;
-  A << random_vector(random), random_vector(random), random_vector(random);
-  return A;
-}
-
 double angle_between(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) {
   return 2 * (a.conjugate() * b).vec().norm();
 }

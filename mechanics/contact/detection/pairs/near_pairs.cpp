@@ -13,7 +13,7 @@ namespace sunder {
 namespace {
 
 /// Row = component, into `way`: the farthest that one of its vertices goes from `from` to `to`
-/// against the field of all, and half of what the field does within `reach`, m.
+/// against the field of all, and half of the approach by the field within `reach`, m.
 void measure_ways(std::vector<double>& way, std::span<const Vec3> from, std::span<const Vec3> to,
                   std::span<const ComponentId> component, double reach) {
   const std::size_t count = std::min(from.size(), to.size());

@@ -54,7 +54,7 @@ bool is_due(const NearPair& pair, const Travel& travel);
 
 /// Pairs, and the state of each component at its last search. May be thrown away at any time.
 struct NearPairs {
-  std::vector<NearPair> found;  ///< in any order: it depends on what was searched before
+  std::vector<NearPair> found;  ///< their order depends on earlier searches
   std::vector<double> limit;    ///< row = component: m, `so_far` from which it is searched again
   std::vector<std::uint64_t> shape;  ///< row = component: its surface then
   std::vector<char> is_stale;        ///< row = component: in the search at hand

@@ -169,7 +169,7 @@ void update_shapes(DetectScratch& scratch, const StepPaths& paths) {
 
 void update_near(DetectScratch& scratch, const StepPaths& paths) {
   update_shapes(scratch, paths);
-  // Twice what pairs are bounded for: the mean edge is not always the same.
+  // Pairs are bounded within the mean edge of their search: twice the present one is more.
   scratch.travel.reach = 2 * scratch.mean_edge;
   update_travel(scratch.travel, paths);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bad cells whose nodes respond with more than their mass: the step that they allow, and the laws.
+// Bad cells and the larger inertia of their nodes: steps, momenta and energy.
 #include "mechanics/contact/waves/scaled_cells.hpp"
 
 #include <algorithm>
