@@ -12,6 +12,7 @@
 #include "mechanics/solver/component_system.hpp"
 #include "mechanics/state/dense_solve.hpp"
 #include "mechanics/state/supports.hpp"
+#include "mechanics/state/wave_travel.hpp"
 #include "topology/base/assert.hpp"
 
 namespace sunder {
@@ -92,6 +93,7 @@ void set_members(MechanicsState& state, Component& component, std::vector<TetId>
     component.rest_radius = std::max(
         component.rest_radius, (vertices.rest_position[v.index()] - component.rest_centre).norm());
   }
+  component.cell_travel = component.tetrahedra.empty() ? 0 : mean_cell_travel(state, component);
   component.rest_inertia = rest_shape(vertices, component.vertices, component.rest_centre).inertia;
 }
 

@@ -35,7 +35,7 @@ template <class T, class Visit>
 void for_each_member(T& x, Visit visit) {
   constexpr auto called = member_names(static_cast<const T*>(nullptr));
   constexpr std::size_t n = called.size();
-  static_assert(n >= 1 && n <= 18);
+  static_assert(n >= 1 && n <= 19);
   const auto all = [&](auto&... member) {
     std::size_t k = 0;
     (visit(called[k++], member), ...);
@@ -91,9 +91,12 @@ void for_each_member(T& x, Visit visit) {
   } else if constexpr (n == 17) {
     auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r] = x;
     all(a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r);
-  } else {
+  } else if constexpr (n == 18) {
     auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r, s] = x;
     all(a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r, s);
+  } else {
+    auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r, s, t] = x;
+    all(a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r, s, t);
   }
 }
 

@@ -120,13 +120,13 @@ constexpr auto member_names(const PrescribedMotion*) { return names("velocity", 
 constexpr auto member_names(const RaisedVelocity*) { return names("velocity", "ramp_time"); }
 constexpr auto member_names(const Component*) {
   return names("id", "vertices", "tetrahedra", "mass", "rest_centre", "rest_inertia", "rest_radius",
-               "centre", "orientation", "momentum", "angular_momentum", "supported", "partly_held",
-               "frame_velocity", "rigid", "rung", "largest_turn", "strain_change");
+               "cell_travel", "centre", "orientation", "momentum", "angular_momentum", "supported",
+               "partly_held", "frame_velocity", "rigid", "rung", "largest_turn", "strain_change");
 }
 constexpr auto member_names(const StrainChange*) { return names("before", "after", "difference"); }
 constexpr auto member_names(const ComponentSystem*) {
   return names("order", "free_count", "held_scalars", "shape", "stiffness", "analysis",
-               "factor_row", "border", "border_age", "cell_travel", "step", "wave", "tetrahedra",
+               "factor_row", "border", "border_age", "step", "wave", "tetrahedra",
                "corners", "edge_nodes", "row_vertex");
 }
 constexpr auto member_names(const RestShape*) {

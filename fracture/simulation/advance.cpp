@@ -92,6 +92,7 @@ void note_pieces(StepReport& report, StepPlan& plan, std::vector<char>& touched,
   const SimulationState& s = *sim.state;
   report.energy_released += rebuilt.energy_released;
   report.energy.strain -= rebuilt.strain_released;
+  plan.knows_strengths = false;
   inherit(touched, s.cells.labels);
   inherit(plan.components, s.cells.labels);
   inherit(plan.boundary.component, s.cells.labels);
@@ -181,6 +182,7 @@ StepReport advance(Simulation& sim, const StepObserver& observe) {
       if (released.components.created > 0)
         note_pieces(report, plan, touched, rebuild_released(s, scratch.mechanics), sim);
       if (!released.faces.empty()) {
+        plan.knows_strengths = false;
         released.time = s.mechanics.time;
         released.part = report.parts;
         report.releases.push_back(std::move(released));

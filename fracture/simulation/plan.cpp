@@ -45,7 +45,7 @@ void open(StepPlan& plan, ImpactWindow& window, const Blows& blows, const Scene&
   // Explicit steps resolve each cell: the stress criterion looks once in a wave's way through one.
   if (is_explicit(scene)) {
     for (ComponentId id : blows.struck) {
-      longest = std::min(longest, cell_travel(m, m.components[id.index()]));
+      longest = std::min(longest, m.components[id.index()].cell_travel);
     }
   }
   const bool refines = scene.fracture.crack == CrackMode::cohesive;
@@ -70,7 +70,7 @@ void open(StepPlan& plan, ImpactWindow& window, const Blows& blows, const Scene&
 double crack_sub_step(const Scene& scene, const MechanicsState& m, const Component& c) {
   const double struck = wave_sub_step(m, c, scene.impact);
   if (scene.fracture.crack != CrackMode::cohesive) return struck;
-  return std::min(struck, cell_travel(m, c));
+  return std::min(struck, c.cell_travel);
 }
 
 /// Where cracks take energy, not every peak of a wave front decides: a third of the viscosity that
@@ -160,7 +160,7 @@ std::uint64_t sub_steps_of_contacts(const StepPlan& plan, const SimulationState&
     const Component& c = s.mechanics.components[id.index()];
     if (c.tetrahedra.empty()) continue;
     const double speed = compression_wave_speed(material_of(s.mechanics, c.tetrahedra.front()));
-    cell = std::min(cell, speed * cell_travel(s.mechanics, c));
+    cell = std::min(cell, speed * c.cell_travel);
   }
   const double speed = speed_among_members(plan, s);
   double longest = time_left(plan, s);
@@ -226,7 +226,7 @@ void count_spared(ImpactReport& report, const Blows& blows) {
 /// Whether all that is in a component is too little to break it.
 bool has_calmed(const StepPlan& plan, const SimulationState& s, const Component& component) {
   return !plan.threshold.empty() &&
-         deformation_energy(s.mechanics, component) < plan.threshold[component.id.index()];
+         !deforms_by(s.mechanics, component, plan.threshold[component.id.index()]);
 }
 
 /// After a sub-step: windows whose waves have died away close, those of what was struck open.
@@ -320,7 +320,9 @@ std::optional<PlannedPart> next_part(StepPlan& plan, const Scene& scene, Simulat
   using Phase = StepPlan::Phase;
   const double h = scene.integrator.time_step;
   const bool goes_on = plan.phase != Phase::whole_done && plan.phase != Phase::equal;
-  if (has_windows(scene) && goes_on && anybody_moves(plan, s)) note_strengths(plan, scene, s);
+  if (has_windows(scene) && goes_on && !plan.knows_strengths && anybody_moves(plan, s)) {
+    note_strengths(plan, scene, s);
+  }
   // Explicit parts cannot be longer; everybody is at the same time, so the step may end here.
   if (plan.hurried && plan.phase == Phase::equal) return std::nullopt;
   const StepPart whole{Deformation::whole, 0, has_windows(scene) ? &scene.impact : nullptr,

@@ -132,6 +132,8 @@ void take_the_members(StepPlan& plan, const SimulationState& s) {
 }
 
 void note_strengths(StepPlan& plan, const Scene& scene, const SimulationState& s) {
+  // With the criterion `energy` thresholds of crack tips follow the deformation.
+  plan.knows_strengths = scene.fracture.criterion != FractureCriterion::energy;
   note_lowest_strengths(plan.strength, s.mechanics, s.cells);
   for (std::size_t k = 0; k < plan.declared.size(); ++k) {
     if (plan.declared[k]) plan.strength[k] = std::numeric_limits<double>::infinity();

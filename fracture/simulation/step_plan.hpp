@@ -37,6 +37,7 @@ struct StepPlan {
   /// |C|, J: below it none of its vertices can break; kept in the scratch, empty: all can.
   std::vector<double>& threshold;
   BreakEnergyScratch& break_energy;
+  bool knows_strengths = false;  ///< both are those of the pieces as they are
   /// Row = ComponentId: declared never to break (`note_unbreakable`).
   const std::vector<char>& declared;
   ImpactReport impact;

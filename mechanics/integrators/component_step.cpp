@@ -71,7 +71,7 @@ ComponentSystem& prepared_system(MechanicsState& state, const StepInput& input,
     case Deformation::frozen:
       break;
     case Deformation::wave:
-      factor_system(system, wave_matrix(input, system.cell_travel), FactorUse::wave);
+      factor_system(system, wave_matrix(input, component.cell_travel), FactorUse::wave);
       break;
     case Deformation::whole:
     case Deformation::catch_up: {

@@ -95,7 +95,7 @@ double advance_deformation(const ComponentStep& step, BodyDeformation& d, const 
 /// included.
 double advance_wave(const ComponentStep& step, BodyDeformation& d, const Field& load) {
   const IntegratorSettings& settings = step.input.settings;
-  const RayleighDamping damping = wave_damping(step.input, step.system->cell_travel);
+  const RayleighDamping damping = wave_damping(step.input, step.component.cell_travel);
   const double h = settings.time_step;
   const double reach = WaveScheme::theta * h;
   const std::size_t n = step.system->size();

@@ -9,7 +9,6 @@
 #include "mechanics/element/second_order.hpp"
 #include "mechanics/solver/assemble_system.hpp"
 #include "mechanics/state/supports.hpp"
-#include "mechanics/state/wave_travel.hpp"
 
 namespace sunder {
 namespace {
@@ -184,7 +183,6 @@ void assemble_system(ComponentSystem& system, std::span<std::uint32_t> local_row
   system.shape = rest_shape(input.state.vertices, system.order, component.rest_centre);
   set_pattern(system.stiffness, stars, local_row, input);
   assemble_stiffness(system.stiffness, stars, local_row, input);
-  system.cell_travel = cell_travel(input.state, component);
   system.tetrahedra = component.tetrahedra;
   system.corners.clear();
   system.edge_nodes.clear();

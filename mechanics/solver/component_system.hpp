@@ -59,7 +59,6 @@ struct ComponentSystem {
   std::vector<std::uint32_t> factor_row;
   FactorBorder border;
   std::uint32_t border_age = 0;  ///< parts of steps that the border has served
-  double cell_travel = 0;        ///< s, see `cell_travel` in wave_travel.hpp
 
   /// The second factor is made when a component is struck first.
   SystemFactor step, wave;

@@ -29,6 +29,8 @@ struct Component {
       Vec3::Zero();  ///< m, mass centre of its REST positions: its own, not the body's
   Mat3 rest_inertia = Mat3::Zero();  ///< kg m^2, of the lumped vertices about `rest_centre`
   double rest_radius = 0;            ///< m, farthest rest position from `rest_centre`
+  /// s, the time of a compression wave's way through a mean cell: the mean of (6 V)^(1/3) / c.
+  double cell_travel = 0;
 
   Vec3 centre = Vec3::Zero();  ///< c, m; the mass centre unless supported
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< R, body to world

@@ -6,7 +6,7 @@
 
 namespace sunder {
 
-double cell_travel(const MechanicsState& state, const Component& component) {
+double mean_cell_travel(const MechanicsState& state, const Component& component) {
   double sum = 0;
   for (TetId t : component.tetrahedra) {
     sum += cube_root(6 * state.elements.rest_volume[t.index()]) /

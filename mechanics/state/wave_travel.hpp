@@ -6,9 +6,8 @@
 
 namespace sunder {
 
-/// s, the time of a compression wave's way through a cell of mean size: the mean of (6 V)^(1/3) /
-/// c.
-double cell_travel(const MechanicsState& state, const Component& component);
+/// s: `Component::cell_travel`. O(tetrahedra).
+double mean_cell_travel(const MechanicsState& state, const Component& component);
 
 /// L/c of a component, s.
 double extent_travel(const MechanicsState& state, const Component& component);

@@ -198,7 +198,7 @@ void prepare(ChartWork& work) {
   work.reference_step = *std::ranges::min_element(work.grid.steps);
   for (const Component& c : sim->state->mechanics.components) {
     if (work.grid.fractions.empty() || c.tetrahedra.empty()) continue;
-    work.reference_step = std::min(work.reference_step, cell_travel(sim->state->mechanics, c) / 2);
+    work.reference_step = std::min(work.reference_step, c.cell_travel / 2);
   }
   work.chart.probe = work.runner.probe;
 }

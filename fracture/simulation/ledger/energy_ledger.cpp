@@ -199,7 +199,7 @@ void add_support_work(EnergyLedger& ledger, const AdoptedPart& part, const Compo
   const IntegratorSettings settings = deformation_settings(input, m, component);
   const double balance = balance_of(deformation_of(input, m, component), settings);
   const RayleighDamping damping = input.part.deformation == Deformation::wave
-                                      ? wave_damping(input, system->cell_travel)
+                                      ? wave_damping(input, component.cell_travel)
                                       : settings.damping;
   PartStart& before = part.before;
   before.work.resize(6 * n);

@@ -105,6 +105,7 @@ std::vector<NodeImpulse> node_impulses(const HeldNodes& held, const AdoptedPart&
   for (const TetId t : component.tetrahedra) {
     const ElementNodes nodes = nodes_of(e, part.input.corners, t);
     for (std::size_t k = 0; k < nodes.count; ++k) {
+      if (m.vertices.support[nodes.row[k].index()].is_none()) continue;
       const auto row = held_row(held, nodes.row[k]);
       if (!row) continue;
       impulses[*row].impulse +=

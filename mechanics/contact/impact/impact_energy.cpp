@@ -21,15 +21,31 @@ double strain_energy(const MechanicsState& state, const Component& component) {
   return energy;
 }
 
+double kinetic_energy_of_rate(const MechanicsState& state, VertexId v) {
+  return 0.5 * state.vertices.mass[v.index()] *
+         state.vertices.displacement_rate[v.index()].squaredNorm();
+}
+
 }  // namespace
 
 double deformation_energy(const MechanicsState& state, const Component& component) {
   double energy = strain_energy(state, component);
-  for (VertexId v : component.vertices) {
-    energy += 0.5 * state.vertices.mass[v.index()] *
-              state.vertices.displacement_rate[v.index()].squaredNorm();
-  }
+  for (VertexId v : component.vertices) energy += kinetic_energy_of_rate(state, v);
   return energy;
+}
+
+bool deforms_by(const MechanicsState& state, const Component& component, double least) {
+  double energy = 0;
+  for (VertexId v : component.vertices) {
+    energy += kinetic_energy_of_rate(state, v);
+    if (energy >= least) return true;
+  }
+  if (component.rigid) return false;
+  for (TetId t : component.tetrahedra) {
+    energy += element_strain_energy(state, t);
+    if (energy >= least) return true;
+  }
+  return false;
 }
 
 ImpactEnergy::ImpactEnergy(const ContactStep& step, std::span<const ContactPoint> contacts)
@@ -113,16 +129,15 @@ double ImpactEnergy::strain_of(std::uint32_t node) const {
   return strain_energy(step_.pass.state, step_.pass.state.components[node]);
 }
 
-const ImpactEnergy::Island& ImpactEnergy::island_of(std::uint32_t node) {
+ImpactEnergy::Island& ImpactEnergy::island_of(std::uint32_t node) {
   const std::uint32_t root = joined_.root(node);
   Island& island = islands_[root];
-  if (island.known) return island;
-  island.known = true;
-  std::vector<std::uint32_t> members;
+  if (!island.members.empty()) return island;
+  std::vector<std::uint32_t>& members = island.members;
   for (std::uint32_t k = 0; k < nodes_.size(); ++k) {
     if (nodes_[k].other != none && joined_.root(k) == root) members.push_back(k);
   }
-  std::vector<std::uint32_t> held;
+  std::vector<std::uint32_t>& held = island.held;
   bool grounded = false, torn = false;
   const auto rest_on = [&](const Vec3& velocity) {
     torn = torn || (grounded && velocity != island.velocity);
@@ -144,13 +159,11 @@ const ImpactEnergy::Island& ImpactEnergy::island_of(std::uint32_t node) {
     rest_on(velocity_of(ground));
     if (ground < components_ && std::ranges::find(held, ground) == held.end()) {
       held.push_back(ground);
-      island.strain += deformation_energy(step_.pass.state, step_.pass.state.components[ground]);
     }
   }
   if (!grounded) island.velocity = momentum / mass;
   for (const std::uint32_t k : members) {
     island.kinetic += kinetic_against(k, island.velocity);
-    island.strain += strain_of(k);
     const double speed = (velocity_of(k) - island.velocity).norm() + surface_speed_of(k);
     island.fastest = std::max(island.fastest, speed);
   }
@@ -178,26 +191,39 @@ double ImpactEnergy::pair_bound(std::uint32_t node) {
   return speed > 0 ? 0.5 * mass * speed * speed : 0;
 }
 
-double ImpactEnergy::energy_of_island(std::uint32_t node) {
-  const Island& island = island_of(node);
-  return island.kinetic + island.strain + island.gravity;
+double ImpactEnergy::strain_of_island(Island& island) {
+  if (island.strain) return *island.strain;
+  double& sum = island.strain.emplace(0);
+  for (const std::uint32_t k : island.held) {
+    sum += deformation_energy(step_.pass.state, step_.pass.state.components[k]);
+  }
+  for (const std::uint32_t k : island.members) sum += strain_of(k);
+  return sum;
 }
 
-double ImpactEnergy::energy_round_held(std::uint32_t node) {
-  double sum = deformation_energy(step_.pass.state, step_.pass.state.components[node]);
+bool ImpactEnergy::island_reaches(std::uint32_t node, double least) {
+  Island& island = island_of(node);
+  const double motion = island.kinetic + island.gravity;
+  return motion >= least || motion + strain_of_island(island) >= least;
+}
+
+bool ImpactEnergy::held_reaches(std::uint32_t node, double least) {
   std::vector<std::uint32_t> seen;
   for (const auto& [member, ground] : grounds_) {
     if (ground != node) continue;
     if (mass_of(member) == unbounded) {
-      if (velocity_of(member) != velocity_of(node)) return unbounded;
+      if (velocity_of(member) != velocity_of(node)) return true;
       continue;
     }
     const std::uint32_t root = joined_.root(member);
-    if (std::ranges::find(seen, root) != seen.end()) continue;
-    seen.push_back(root);
-    sum += energy_of_island(member);
+    if (std::ranges::find(seen, root) == seen.end()) seen.push_back(root);
   }
-  return sum;
+  double sum = 0;
+  for (const std::uint32_t root : seen) sum += island_of(root).kinetic + island_of(root).gravity;
+  if (sum >= least) return true;
+  sum += deformation_energy(step_.pass.state, step_.pass.state.components[node]);
+  for (const std::uint32_t root : seen) sum += strain_of_island(island_of(root));
+  return sum >= least;
 }
 
 Verdict ImpactEnergy::judge(ComponentId id, double threshold) {
@@ -207,12 +233,12 @@ Verdict ImpactEnergy::judge(ComponentId id, double threshold) {
   // What may slide along an axis is neither ground nor free: no bound stands for it.
   if (component.partly_held) return Verdict::breaks;
   const double pair = pair_bound(node);
-  if (pair < threshold) {
-    const double own = deformation_energy(step_.pass.state, component);
-    if (own + pair < threshold) return Verdict::spared_by_pair;
+  if (pair < threshold && !deforms_by(step_.pass.state, component, threshold - pair)) {
+    return Verdict::spared_by_pair;
   }
-  const double all = component.supported ? energy_round_held(node) : energy_of_island(node);
-  return all < threshold ? Verdict::spared_by_island : Verdict::breaks;
+  const bool reaches =
+      component.supported ? held_reaches(node, threshold) : island_reaches(node, threshold);
+  return reaches ? Verdict::breaks : Verdict::spared_by_island;
 }
 
 }  // namespace sunder

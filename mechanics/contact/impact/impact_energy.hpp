@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -46,10 +47,12 @@ class ImpactEnergy {
     bool meets_several = false;
   };
   struct Island {
-    bool known = false;
-    double kinetic = 0, strain = 0, gravity = 0;  ///< J
-    double fastest = 0;                           ///< m/s, of any surface against `velocity`
-    Vec3 velocity = Vec3::Zero();                 ///< m/s, of what it touches or its mass centre
+    std::vector<std::uint32_t> members;  ///< empty: not summed yet
+    std::vector<std::uint32_t> held;     ///< held components that they touch
+    double kinetic = 0, gravity = 0;     ///< J
+    std::optional<double> strain;        ///< J, once it is asked for
+    double fastest = 0;                  ///< m/s, of any surface against `velocity`
+    Vec3 velocity = Vec3::Zero();        ///< m/s, of what it touches or its mass centre
   };
 
   void join(std::uint32_t a, std::uint32_t b);
@@ -61,10 +64,14 @@ class ImpactEnergy {
   double surface_speed_of(std::uint32_t node) const;
   double kinetic_against(std::uint32_t node, const Vec3& velocity) const;
   double strain_of(std::uint32_t node) const;
-  const Island& island_of(std::uint32_t node);
-  double energy_of_island(std::uint32_t node);
-  /// J that all that meets a held component could bring it, and what is in it.
-  double energy_round_held(std::uint32_t node);
+  /// The island of a node; without its strain energy.
+  Island& island_of(std::uint32_t node);
+  double strain_of_island(Island& island);
+  /// Whether all the energy of a node's island is at least `least`, J. Motion is summed first: it
+  /// is often enough, and costs less than strain.
+  bool island_reaches(std::uint32_t node, double least);
+  /// The same of what all islands that meet a held component could bring it, and what is in it.
+  bool held_reaches(std::uint32_t node, double least);
   double pair_bound(std::uint32_t node);
 
   const ContactStep& step_;
@@ -78,5 +85,8 @@ class ImpactEnergy {
 
 /// J in a component: strain energy, and kinetic energy of its deformation.
 double deformation_energy(const MechanicsState& state, const Component& component);
+
+/// Whether that is at least `least`, J. The sum stops as soon as it is.
+bool deforms_by(const MechanicsState& state, const Component& component, double least);
 
 }  // namespace sunder

@@ -7,7 +7,6 @@
 
 #include "mechanics/state/living.hpp"
 #include "mechanics/state/supports.hpp"
-#include "mechanics/state/wave_travel.hpp"
 
 namespace sunder {
 namespace {
@@ -51,7 +50,7 @@ void note_viscosity(WaveBodies& waves, const ElementNodes& own, TetId t, double 
 void add_elements(WaveBodies& waves, const MechanicsState& state, const StepInput& input,
                   WaveBody& body, const std::vector<char>& is_scaled) {
   const Component& component = state.components[body.id.index()];
-  const double of_fronts = input.part.viscosity * cell_travel(state, component);
+  const double of_fronts = input.part.viscosity * component.cell_travel;
   body.first_block = waves.blocks.size();
   body.first_second = waves.second.size();
   std::size_t lane = 4;
@@ -91,56 +90,132 @@ void add_elements(WaveBodies& waves, const MechanicsState& state, const StepInpu
   body.end_second = waves.second.size();
 }
 
-void add_nodes(WaveBodies& waves, const MechanicsState& state, const StepInput& input,
-               const Component& component) {
+/// kg^-1: 0 where a node is held whole.
+double inverse_mass_of(const MechanicsState& state, VertexId v) {
+  return is_held_whole(state, v) ? 0 : 1 / state.vertices.mass[v.index()];
+}
+
+/// What a body's nodes and elements are; how they move is read in each part (`read_motion`).
+void add_body(WaveBodies& waves, const MechanicsState& state, const StepInput& input,
+              const Component& component) {
   WaveNodes& nodes = waves.nodes;
   const VertexColumns& v = state.vertices;
+  WaveBody body;
+  body.id = component.id;
+  body.mass = component.mass;
+  body.mass_damping = input.settings.damping.mass_factor;
+  body.supported = component.supported;
+  body.first_node = nodes.size();
+  body.first_held = waves.held.size();
   for (const VertexId id : component.vertices) {
     const std::size_t i = id.index();
     const auto node = static_cast<std::uint32_t>(nodes.size());
     waves.node_of_vertex[i] = node;
     nodes.vertex.push_back(id);
     nodes.mass.push_back(v.mass[i]);
-    nodes.inverse_mass.push_back(is_held_whole(state, id) ? 0 : 1 / v.mass[i]);
-    nodes.stiffness.push_back(0);
-    nodes.damping.push_back(0);
-    push(nodes.position, v.position[i]);
+    nodes.inverse_mass.push_back(inverse_mass_of(state, id));
     push(nodes.arm, v.rest_position[i] - component.rest_centre);
-    Vec3 load = input.loads.gravity, velocity = v.velocity[i];
-    if (!input.loads.force.empty()) load += input.loads.force[i] / v.mass[i];
-    push(nodes.load, load);
-    if (!v.support[i].is_none()) {
-      velocity = with_support(state, id, velocity, component.orientation);
-      waves.held.push_back({node, held_axes(state, id), velocity});
-    }
-    push(nodes.velocity, velocity);
+    if (!v.support[i].is_none()) waves.held.push_back({node, held_axes(state, id), Vec3::Zero()});
   }
-}
-
-void add_body(WaveBodies& waves, const MechanicsState& state, const StepInput& input,
-              const Component& component) {
-  WaveBody body;
-  body.id = component.id;
-  body.first_node = waves.nodes.size();
-  body.first_held = waves.held.size();
-  body.mass = component.mass;
-  body.mass_damping = input.settings.damping.mass_factor;
-  body.supported = component.supported;
-  body.frame = {component.centre, component.orientation};
-  if (component.supported) body.frame_velocity = component.frame_velocity;
-  add_nodes(waves, state, input, component);
-  for (const TetId t : component.tetrahedra) {
-    add_to_nodes(waves.nodes.stiffness, waves, nodes_of(state.elements, input.corners, t), t, 1);
-  }
-  body.end_node = waves.nodes.size();
+  body.end_node = nodes.size();
   body.end_held = waves.held.size();
+  nodes.stiffness.resize(nodes.size(), 0);
+  nodes.damping.resize(nodes.size(), 0);
+  for (const TetId t : component.tetrahedra) {
+    add_to_nodes(nodes.stiffness, waves, nodes_of(state.elements, input.corners, t), t, 1);
+  }
+  body.first_cell = waves.cells.size();
+  waves.cells.insert(waves.cells.end(), component.tetrahedra.begin(), component.tetrahedra.end());
+  body.end_cell = waves.cells.size();
   waves.body_of_component[component.id.index()] = static_cast<std::uint32_t>(waves.bodies.size());
   waves.bodies.push_back(body);
 }
 
-}  // namespace
+/// Frame, places, velocities and loads of a body as the part begins; no work yet.
+void read_motion(WaveBodies& waves, WaveBody& body, const MechanicsState& state,
+                 const StepInput& input) {
+  WaveNodes& nodes = waves.nodes;
+  const VertexColumns& v = state.vertices;
+  const Component& component = state.components[body.id.index()];
+  body.frame = {component.centre, component.orientation};
+  if (component.supported) body.frame_velocity = component.frame_velocity;
+  body.weight_place.setZero();
+  body.kicked = {};
+  body.work = {};
+  for (std::size_t node = body.first_node; node < body.end_node; ++node) {
+    const std::size_t i = nodes.vertex[node].index();
+    row_of(nodes.position, node) = v.position[i];
+    row_of(nodes.velocity, node) = v.velocity[i];
+    Vec3 load = input.loads.gravity;
+    if (!input.loads.force.empty()) load += input.loads.force[i] / v.mass[i];
+    row_of(nodes.load, node) = load;
+  }
+  for (std::size_t k = body.first_held; k < body.end_held; ++k) {
+    HeldNode& held = waves.held[k];
+    auto velocity = row_of(nodes.velocity, held.node);
+    velocity = with_support(state, nodes.vertex[held.node], velocity, component.orientation);
+    held.velocity = velocity;
+  }
+}
 
-void pack_bodies(WaveBodies& waves, const MechanicsState& state, const StepInput& input) {
+/// Node `a` of an element of a body, by its place among the body's elements.
+std::uint32_t packed_node(const WaveBodies& waves, const WaveBody& body, std::size_t element,
+                          std::size_t a) {
+  if (body.first_second < body.end_second) return waves.second[body.first_second + element].node[a];
+  return waves.blocks[body.first_block + element / 4].node[a][element % 4];
+}
+
+/// Whether a body consists of the same nodes and elements as when it was packed.
+bool is_packed(const WaveBodies& waves, const WaveBody& body, const MechanicsState& state,
+               const StepInput& input) {
+  const WaveNodes& nodes = waves.nodes;
+  const Component& component = state.components[body.id.index()];
+  const auto cells = std::span(waves.cells).subspan(body.first_cell);
+  if (body.supported != component.supported || body.mass != component.mass ||
+      body.end_node - body.first_node != component.vertices.size() ||
+      body.end_cell - body.first_cell != component.tetrahedra.size()) {
+    return false;
+  }
+  for (std::size_t k = 0; k < component.vertices.size(); ++k) {
+    const VertexId v = component.vertices[k];
+    const std::size_t node = body.first_node + k;
+    if (nodes.vertex[node] != v || nodes.mass[node] != state.vertices.mass[v.index()] ||
+        nodes.inverse_mass[node] != inverse_mass_of(state, v)) {
+      return false;
+    }
+  }
+  for (std::size_t k = 0; k < component.tetrahedra.size(); ++k) {
+    const TetId t = component.tetrahedra[k];
+    if (cells[k] != t) return false;
+    const ElementNodes own = nodes_of(state.elements, input.corners, t);
+    for (std::size_t a = 0; a < own.count; ++a) {
+      if (nodes.vertex[packed_node(waves, body, k, a)] != own.row[a]) return false;
+    }
+  }
+  return true;
+}
+
+/// Whether all bodies are packed as the part needs them.
+bool are_packed(const WaveBodies& waves, const MechanicsState& state, const StepInput& input) {
+  if (waves.damping.mass_factor != input.settings.damping.mass_factor ||
+      waves.damping.stiffness_factor != input.settings.damping.stiffness_factor ||
+      waves.of_fronts != input.part.viscosity) {
+    return false;
+  }
+  std::size_t next = 0;
+  bool same = true;
+  for_each_living(state, input.members, [&](const Component& c) {
+    if (!same || !deforms_in_wave(c)) return;
+    same = next < waves.bodies.size() && waves.bodies[next].id == c.id &&
+           is_packed(waves, waves.bodies[next], state, input);
+    ++next;
+  });
+  return same && next == waves.bodies.size();
+}
+
+/// Packs the members that deform. Some microseconds for each tetrahedron that is met for the first
+/// time.
+void pack(WaveBodies& waves, const MechanicsState& state, const StepInput& input) {
   const ElementColumns& elements = state.elements;
   for (std::size_t t = waves.stiffness.size(); t < elements.size(); ++t) {
     const std::size_t nodes = is_second_order(elements, TetId{t}) ? 10 : 4;
@@ -152,34 +227,46 @@ void pack_bodies(WaveBodies& waves, const MechanicsState& state, const StepInput
     for (double& k : waves.stiffness.back()) k *= coupling;
   }
   WaveNodes& nodes = waves.nodes;
-  for (QuadColumn* column : {&nodes.position, &nodes.velocity, &nodes.arm, &nodes.load}) {
-    column->clear();
-  }
   for (std::vector<double>* column :
        {&nodes.mass, &nodes.inverse_mass, &nodes.stiffness, &nodes.damping}) {
     column->clear();
   }
+  nodes.arm.clear();
   nodes.vertex.clear();
   waves.bodies.clear();
+  waves.cells.clear();
   waves.blocks.clear();
   waves.second.clear();
   waves.held.clear();
   waves.node_of_vertex.assign(state.vertices.size(), WaveBodies::no_node);
   waves.body_of_component.assign(state.components.size(), WaveBodies::no_node);
-  waves.gravity = input.loads.gravity;
-  waves.measures_work = input.measures_strain;
-  waves.has_loads = !input.loads.force.empty();
+  waves.damping = input.settings.damping;
+  waves.of_fronts = input.part.viscosity;
   for_each_living(state, input.members, [&](const Component& component) {
     if (deforms_in_wave(component)) add_body(waves, state, input, component);
   });
   std::vector<char> is_scaled;
   choose_scaled_cells(waves, is_scaled, state, input);
   for (WaveBody& body : waves.bodies) add_elements(waves, state, input, body, is_scaled);
-  nodes.displacement.resize(4 * nodes.size());
-  nodes.rate.resize(4 * nodes.size());
-  nodes.inner.resize(4 * nodes.size());
+  for (QuadColumn* column : {&nodes.position, &nodes.velocity, &nodes.load, &nodes.displacement,
+                             &nodes.rate, &nodes.inner}) {
+    column->assign(4 * nodes.size(), 0);
+  }
   nodes.is_held.assign(nodes.size(), 0);
   for (const HeldNode& held : waves.held) nodes.is_held[held.node] = 1;
+}
+
+}  // namespace
+
+void pack_bodies(WaveBodies& waves, const MechanicsState& state, const StepInput& input) {
+  waves.gravity = input.loads.gravity;
+  waves.measures_work = input.measures_strain;
+  waves.has_loads = !input.loads.force.empty();
+  if (!are_packed(waves, state, input)) pack(waves, state, input);
+  // Vertices and components may have come that no packed body has.
+  waves.node_of_vertex.resize(state.vertices.size(), WaveBodies::no_node);
+  waves.body_of_component.resize(state.components.size(), WaveBodies::no_node);
+  for (WaveBody& body : waves.bodies) read_motion(waves, body, state, input);
 }
 
 }  // namespace sunder

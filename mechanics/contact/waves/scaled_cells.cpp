@@ -277,14 +277,16 @@ void prepare_scaled_cells(WaveBodies& waves, const MechanicsState& state, const 
   for (ScaledCells& cluster : waves.nodes.scaled) {
     const std::vector<char> is_free = free_motions(waves, cluster);
     cluster.is_free = std::ranges::find(is_free, char{0}) == is_free.end();
-    cluster.key = cluster.viscosity;
-    cluster.key.push_back(step);
-    for (const std::uint32_t i : cluster.node) cluster.key.push_back(waves.nodes.mass[i]);
-    cluster.key.insert(cluster.key.end(), is_free.begin(), is_free.end());
+    std::vector<double> key = cluster.viscosity;
+    key.push_back(step);
+    for (const std::uint32_t i : cluster.node) key.push_back(waves.nodes.mass[i]);
+    key.insert(key.end(), is_free.begin(), is_free.end());
+    cluster.R = waves.bodies[cluster.body].frame.orientation.toRotationMatrix();
+    if (key == cluster.key) continue;
+    cluster.key = std::move(key);
     const auto old = known.find(cluster.cell.front().value);
     const bool is_known =
         old != known.end() && old->second->cell == cluster.cell && old->second->key == cluster.key;
-    cluster.R = waves.bodies[cluster.body].frame.orientation.toRotationMatrix();
     cluster.response =
         is_known ? old->second->response : response_of(waves, cluster, is_free, state, input, step);
   }

@@ -43,10 +43,11 @@ struct HeldNode {
   Vec3 velocity = Vec3::Zero();  ///< m/s, world
 };
 
-/// One body: consecutive rows of nodes, blocks, elements of second order and held nodes.
+/// One body: consecutive rows of nodes, cells, blocks, elements of second order and held nodes.
 struct WaveBody {
   ComponentId id;
   std::size_t first_node = 0, end_node = 0;
+  std::size_t first_cell = 0, end_cell = 0;
   std::size_t first_block = 0, end_block = 0;
   std::size_t first_second = 0, end_second = 0;
   std::size_t first_held = 0, end_held = 0;
@@ -70,6 +71,7 @@ struct WaveBodies {
   static constexpr std::uint32_t no_node = std::numeric_limits<std::uint32_t>::max();
   WaveNodes nodes;
   std::vector<WaveBody> bodies;
+  std::vector<TetId> cells;
   std::vector<ElementBlock, CacheLineAllocator<ElementBlock>> blocks;
   std::vector<SecondOrderElement> second;
   std::vector<HeldNode> held;
@@ -80,6 +82,8 @@ struct WaveBodies {
   std::vector<ScaledCells> scaled_before;  ///< of the part before
   QuadColumn velocity_before;  ///< m/s, as the step at hand began, where work is measured
   Vec3 gravity{0, 0, 0};       ///< m/s^2
+  RayleighDamping damping;     ///< as the bodies were packed
+  double of_fronts = 0;        ///< `StepPart::viscosity`, as the bodies were packed
   bool measures_work = false;
   bool has_loads = false;
 };
@@ -90,8 +94,8 @@ Mat3 inertia_of(const WaveNodes& nodes, const WaveBody& body);
 /// Whether a component deforms in explicit steps. Others move as rigid bodies.
 bool deforms_in_wave(const Component& component);
 
-/// Packs the members that deform, in the state as it is. O(vertices + tetrahedra); some
-/// microseconds for each tetrahedron that is met for the first time.
+/// The members that deform, in the state as it is. Bodies are packed where one of them has changed
+/// since the part before; else their motion is read. O(vertices + tetrahedra).
 void pack_bodies(WaveBodies& waves, const MechanicsState& state, const StepInput& input);
 
 /// Needs: `prepare_scaled_cells`. velocity += `step` s times the acceleration where the nodes are:
