@@ -113,6 +113,27 @@ void enqueue(FractureWork& work, VertexId v, const PrincipalTension& tension) {
   work.queue.push({overstress, v, grows});
 }
 
+/// Algorithm 3 up to the first vertex that is not left waiting.
+struct FirstCandidate {
+  FractureWork& work;
+  bool& found;
+
+  std::optional<double> threshold(VertexId v) {
+    const FractureScratch& scratch = work.scratch;
+    if (found || !scratch.rows[v.index()]) return std::nullopt;
+    const bool by_energy = work.settings.criterion == FractureCriterion::energy;
+    if (by_energy && scratch.cracked[v.index()]) set_tip_strength(work, v);
+    if (!scratch.held.empty() && scratch.held[v.index()] > 0 &&
+        stays_held(work, work.body.cells.empty_fans[scratch.held[v.index()] - 1])) {
+      return std::nullopt;
+    }
+    return work.strength(v);
+  }
+  void split(VertexId v, const PrincipalTension& tension) {
+    found = crack_of(work, vertex_star(work.body.cells.map, v), tension).step != CrackStep::waits;
+  }
+};
+
 /// What algorithm 3 does here: candidates wait for their turn.
 struct Candidates {
   FractureWork& work;
@@ -280,6 +301,21 @@ std::size_t count_flanks(FractureWork& work) {
 }
 
 }  // namespace
+
+bool any_breaks(BreakableBody body, const FractureSettings& settings, FractureScratch& scratch,
+                const StepMembers& members) {
+  if (settings.mode == FractureMode::off) return false;
+  const FanWatch nobody;
+  FractureWork work{body, settings, scratch, nobody,
+                    element_stress(body.cells, body.mechanics, settings.node_stress)};
+  prepare(work, members);
+  work.under_way = first_under_way(body.cells.cracks, body.mechanics.time);
+  bool found = false;
+  find_fractures(work.report, scratch.node_stress, body.cells, work.elements, settings,
+                 FirstCandidate{work, found});
+  // A stress that is not a number is for the search to report.
+  return found || work.report.not_a_number;
+}
 
 FractureReport break_vertices(BreakableBody body, const FractureSettings& settings,
                               FractureScratch& scratch, const StepMembers& members,

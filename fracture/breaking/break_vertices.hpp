@@ -67,6 +67,11 @@ FractureReport break_vertices(BreakableBody body, const FractureSettings& settin
                               FractureScratch& scratch, const StepMembers& members = {},
                               const FanWatch& watch = {}, double untested = 0);
 
+/// Whether `break_vertices` would look for a crack at any vertex of `members`. What waits at a flank or
+/// for its stress to change is left out. O(|T|).
+bool any_breaks(BreakableBody body, const FractureSettings& settings, FractureScratch& scratch,
+                const StepMembers& members);
+
 /// Splits fans that were decided on one state, in their order; `split_fan` with what their events
 /// have to tell beside it. Those with no face left give events without faces.
 FanEvent split_planned(BreakableBody body, const PlannedFan& fan, const FractureSettings& settings,

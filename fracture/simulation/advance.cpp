@@ -111,6 +111,11 @@ StepMembers breakable(const StepPlan& plan, const SimulationState& s, std::vecto
   return members;
 }
 
+/// s: of a part as it was taken.
+double length_of(const PlannedPart& part, const ContactStepResult& taken) {
+  return part.length * taken.sub_steps / part.part.sub_steps;
+}
+
 bool is_same(const Pose& a, const Pose& b) {
   return a.centre == b.centre && a.orientation.coeffs() == b.orientation.coeffs();
 }
@@ -151,13 +156,19 @@ StepReport advance(Simulation& sim, const StepObserver& observe) {
   begin_rubble(report, sim);
   StepPlan plan = plan_step(scene, s, scratch);
   double untested = 0;  // s
+  std::vector<char> unbroken;
+  const auto breakable_now = [&] { return breakable(plan, s, unbroken); };
+  const std::function<bool()> ends = [&] {
+    return any_breaks({s.cells, s.mechanics}, with_budget_left(scene, s), scratch.fracture,
+                      breakable_now());
+  };
   while (const std::optional<PlannedPart> part = next_part(plan, scene, s)) {
     plan.hurried = sim.hurry && *sim.hurry;
     ContactStepResult taken;
     if (part->moves) {
       const StageTimer timer(report, Stage::mechanics);
       const PartInput input{scene,        sim.bodies,  *part,     plan.members(),
-                            plan.gravity, sim.threads, sim.hurry, sim.reports_forces};
+                            plan.gravity, sim.threads, sim.hurry, sim.reports_forces, &ends};
       const std::optional<Attempt> attempt = begin_attempt(scene, *part, s, report);
       taken = take_part(report, s, input, scratch);
       const bool fails = taken.status.outcome != StepOutcome::fine;
@@ -169,7 +180,7 @@ StepReport advance(Simulation& sim, const StepObserver& observe) {
         add_part(report.ties, taken.ties);
         note_touches(touched, s.mechanics, taken.contacts);
         report.time = s.mechanics.time;
-        if (observe) observe(sim, {part->part.deformation, part->length, taken.report});
+        if (observe) observe(sim, {part->part.deformation, length_of(*part, taken), taken.report});
       }
     }
     note_part(plan, *part, taken, scene, s);
@@ -188,17 +199,16 @@ StepReport advance(Simulation& sim, const StepObserver& observe) {
         report.releases.push_back(std::move(released));
       }
     }
-    untested += part->length;
+    untested += length_of(*part, taken);
     if (!part->breaks) continue;
 
     FractureReport found;
     FanClock clock;
     {
       const StageTimer timer(report, Stage::fracture);
-      std::vector<char> unbroken;
       found = break_members({s.cells, s.mechanics}, s.script,
                             with_budget_left(scene, s),
-                            {s.step + 1, report.parts}, breakable(plan, s, unbroken), scratch.fracture,
+                            {s.step + 1, report.parts}, breakable_now(), scratch.fracture,
                             untested, clock.watch());
       untested = 0;
       report.departed = s.script && s.script->departure;

@@ -66,16 +66,19 @@ ContactStepResult take_part(StepReport& report, SimulationState& s, const PartIn
                         .neighbours = s.cells.map.neighbours(),
                         .measures_strain = part.scene.energy_ledger,
                         .threads = part.threads,
+                        .ends = part.ends,
                         .hurry = part.hurry};
   std::optional<HeldRegions> regions;
   if (part.reports_forces) regions.emplace(part.scene, part.bodies);
-  const double end = s.mechanics.time + part.plan.length;
   raise_supports(report, s.mechanics, part, regions);
   remember_start(scratch.before, s, part.scene.energy_ledger);
   ContactStepResult result =
       advance_with_contact({s.mechanics, s.obstacles, s.contact}, input, part.scene.contact,
                            {scratch.mechanics, scratch.contact});
   if (!result.adopted) return result;
+  // An explicit wave may have ended before its length.
+  settings.time_step *= static_cast<double>(result.sub_steps) / part.plan.part.sub_steps;
+  const double end = s.mechanics.time;
   const AdoptedPart adopted{s, input, result, scratch.before};
   support_impulses(scratch.supports, adopted);
   add_part_momentum(report.momentum, adopted, scratch.supports);

@@ -2,6 +2,7 @@
 // One part of a step: contact and mechanics, and where the energy of it went.
 #pragma once
 
+#include <functional>
 #include <span>
 
 #include "fracture/scene/scene.hpp"
@@ -28,6 +29,7 @@ struct PartInput {
   unsigned threads = 1;
   const std::atomic<bool>* hurry = nullptr;  ///< `Simulation::hurry`
   bool reports_forces = false;               ///< `Simulation::reports_forces`
+  const std::function<bool()>* ends = nullptr;  ///< `StepInput::ends`
 };
 
 /// Takes one part of a step for its members: surface loads at its end, contact, mechanics. What it

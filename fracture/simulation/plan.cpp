@@ -158,9 +158,7 @@ std::uint64_t sub_steps_of_contacts(const StepPlan& plan, const SimulationState&
   double cell = std::numeric_limits<double>::infinity();  // m
   for (const ComponentId id : open_windows(s.impact)) {
     const Component& c = s.mechanics.components[id.index()];
-    if (c.tetrahedra.empty()) continue;
-    const double speed = compression_wave_speed(material_of(s.mechanics, c.tetrahedra.front()));
-    cell = std::min(cell, speed * c.cell_travel);
+    if (!c.tetrahedra.empty()) cell = std::min(cell, mean_cell(s.mechanics, c));
   }
   const double speed = speed_among_members(plan, s);
   double longest = time_left(plan, s);
@@ -198,7 +196,12 @@ PlannedPart next_of_members(StepPlan& plan, const Scene& scene, SimulationState&
       plan.served = sub_steps_of_contacts(plan, s);
       wave.contacts_for = static_cast<double>(plan.served) * sub_step;
     }
-    return {wave, sub_step};
+    if (wave.is_explicit) {
+      const std::uint32_t most = scene.impact.max_sub_steps - plan.impact.sub_steps;
+      wave.sub_steps = static_cast<std::uint32_t>(
+          std::min<std::uint64_t>({plan.together, plan.served, plan.left, most}));
+    }
+    return {wave, wave.sub_steps * sub_step};
   }
   unstiffen_members(s);
   // What is left at once, or the way to the next blow.
@@ -229,12 +232,12 @@ bool has_calmed(const StepPlan& plan, const SimulationState& s, const Component&
          !deforms_by(s.mechanics, component, plan.threshold[component.id.index()]);
 }
 
-/// After a sub-step: windows whose waves have died away close, those of what was struck open.
-void note_sub_step(StepPlan& plan, const Blows& blows, SimulationState& s) {
-  const double length = s.impact.sub_step;
-  ++plan.impact.sub_steps;
+/// After sub-steps: windows whose waves have died away close, those of what was struck open.
+void note_sub_steps(StepPlan& plan, std::uint32_t count, const Blows& blows, SimulationState& s) {
+  const double length = count * s.impact.sub_step;
+  plan.impact.sub_steps += count;
   plan.impact.time += length;
-  plan.impact.coarseness = std::max(plan.impact.coarseness, length / blows.sub_step);
+  plan.impact.coarseness = std::max(plan.impact.coarseness, s.impact.sub_step / blows.sub_step);
   for (const Component& c : s.mechanics.components) {
     double& quiet = s.impact.quiet[c.id.index()];
     if (quiet == ImpactWindow::closed) continue;
@@ -251,6 +254,13 @@ void note_sub_step(StepPlan& plan, const Blows& blows, SimulationState& s) {
   }
 }
 
+/// Parts of explicit waves are twice as long as the one before, up to a bound, unless that ended early.
+void note_length(StepPlan& plan, const PlannedPart& part, const ContactStepResult& result) {
+  constexpr std::uint32_t most = 16;
+  const bool is_whole = result.sub_steps == part.part.sub_steps;
+  plan.together = is_whole ? std::min(most, 2 * result.sub_steps) : result.sub_steps;
+}
+
 void note_members(StepPlan& plan, const PlannedPart& part, const ContactStepResult& result,
                   const Scene& scene, SimulationState& s) {
   switch (part.part.deformation) {
@@ -259,9 +269,10 @@ void note_members(StepPlan& plan, const PlannedPart& part, const ContactStepResu
       plan.still = 0;
       return;
     case Deformation::wave:
-      note_sub_step(plan, result.blows, s);
-      --plan.left;
-      if (plan.served > 0) --plan.served;
+      note_sub_steps(plan, result.sub_steps, result.blows, s);
+      plan.left -= result.sub_steps;
+      plan.served -= std::min<std::uint64_t>(plan.served, result.sub_steps);
+      note_length(plan, part, result);
       return;
     default:
       if (result.adopted) {

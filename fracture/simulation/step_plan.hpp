@@ -46,6 +46,7 @@ struct StepPlan {
   std::uint64_t left = 0;           ///< sub-steps that the members have before them
   std::uint64_t still = 0;          ///< how many of them they now go with frozen deformations
   std::uint64_t served = 0;         ///< sub-steps for which contacts that were found still serve
+  std::uint32_t together = 1;       ///< sub-steps of an explicit wave in the part to come, at most
   bool throughout = false;          ///< every sub-step is taken finely
   bool hurried = false;             ///< what is left is taken at once (`Simulation::hurry`)
   std::vector<Obstacle> obstacles;  ///< as they were at the start

@@ -26,9 +26,12 @@ ContactScratch& ContactScratch::operator=(ContactScratch&&) noexcept = default;
 
 StepPaths paths_of(const ContactStep& step) {
   const MechanicsScratch::Predicted& predicted = step.pass.mechanics.predicted;
-  return {step.pass.state, step.pass.input.corners, predicted.position,
-          predicted.frame, step.pass.obstacles,     step.scratch.ball_end,
-          step.ahead > 0 ? step.ahead : step.h(), step.pass.input.members, step.pass.input.neighbours};
+  StepPaths paths{step.pass.state,     step.pass.input.corners, predicted.position,
+                  predicted.frame,     step.pass.obstacles,     step.scratch.ball_end,
+                  step.h(),            step.pass.input.members, step.pass.input.neighbours};
+  if (step.ahead > 0) paths.time_step = step.ahead;
+  paths.margin = step.margin;
+  return paths;
 }
 
 namespace {
@@ -204,10 +207,13 @@ void add_contact(ContactReport& sum, const ContactReport& part) {
   }
 }
 
-ContactStepResult advance_with_contact(const ContactWorld& world, const StepInput& input,
+ContactStepResult advance_with_contact(const ContactWorld& world, const StepInput& asked,
                                        const ContactSettings& settings,
                                        const ContactStepScratch& scratch) {
+  IntegratorSettings integrator = asked.settings;
+  const StepInput input = with_settings(asked, integrator);
   ContactStep step{{input, world.state, world.obstacles, scratch.mechanics},
+                   integrator,
                    world.memory,
                    settings,
                    *scratch.contact.buffers,
@@ -244,6 +250,7 @@ ContactStepResult advance_with_contact(const ContactWorld& world, const StepInpu
     result.status = adopt(world.state, scratch.mechanics, input);
     if (step.is_explicit()) take_off_strain(result.status, world.state, input);
     result.trace = std::move(step.trace);
+    result.sub_steps = step.sub_steps;
     end_step(step, result.moments, result.status.outcome == StepOutcome::fine);
     if (step.report.candidates > 0 || !step.ties.empty()) {
       result.touched = step.scratch.blows.component_touched;

@@ -59,6 +59,7 @@ struct ContactStep {
     overlaps,  ///< tetrahedra that overlap as the step ends, once all else is solved
   };
   ContactPass pass;
+  IntegratorSettings& integrator;  ///< of `pass.input`: an explicit wave may shorten its length
   ContactMemory& memory;
   const ContactSettings& settings;
   ContactScratch::Buffers& scratch;
@@ -71,8 +72,10 @@ struct ContactStep {
   int tie_iterations = 0;
   double tie_residual = 0;
   Look look = Look::all;
-  double ahead = 0;  ///< s: how far paths go, where that is not the part's length
+  double ahead = 0;   ///< s: how far paths go, where that is not the part's length
+  double margin = 0;  ///< m: `StepPaths::margin`
   std::optional<WaveTrace> trace = {};  ///< of explicit steps
+  std::uint32_t sub_steps = 1;          ///< of an explicit wave, that were taken
   bool has_left = false;  ///< something was left to the next pass
   bool stalled = false;   ///< the last solve ended near its tolerance (`SolveOutcome`)
 

@@ -4,6 +4,8 @@
 
 #include <array>
 #include <atomic>
+#include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -52,6 +54,9 @@ struct StepPart {
   bool is_explicit = false;
   /// s, of an explicit wave: contacts are found for so long; 0: those found before still serve.
   double contacts_for = 0;
+  /// Of an explicit wave: equal parts of its length, after each of which it may end
+  /// (`StepInput::ends`).
+  std::uint32_t sub_steps = 1;
   /// A step in which pieces would pass each other, fast or in a spin, is not taken.
   bool divides = false;
 };
@@ -81,6 +86,9 @@ struct StepInput {
   /// Threads that factors and columns of the inverse are made on. Results are the same bytes for
   /// any number.
   unsigned threads = 1;
+  /// Given, an explicit wave asks it after each of its sub-steps but the last. True: the part ends
+  /// there. Displacements, element stresses and the time are then those of the moment.
+  const std::function<bool()>* ends = nullptr;
   /// Given and true: iterations end where they are.
   const std::atomic<bool>* hurry = nullptr;
 
@@ -92,5 +100,11 @@ struct StepInput {
     return is_own && !component.partly_held ? part.whole_step : settings.time_step;
   }
 };
+
+/// The same input with other settings, which must outlive it.
+inline StepInput with_settings(const StepInput& input, const IntegratorSettings& settings) {
+  return {input.corners, input.loads,          settings,      input.part, input.members,
+          input.neighbours, input.measures_strain, input.threads, input.ends, input.hurry};
+}
 
 }  // namespace sunder

@@ -15,6 +15,11 @@ double mean_cell_travel(const MechanicsState& state, const Component& component)
   return sum / static_cast<double>(component.tetrahedra.size());
 }
 
+double mean_cell(const MechanicsState& state, const Component& component) {
+  return component.cell_travel *
+         compression_wave_speed(material_of(state, component.tetrahedra.front()));
+}
+
 double extent_travel(const MechanicsState& state, const Component& component) {
   return 2 * component.rest_radius /
          compression_wave_speed(material_of(state, component.tetrahedra.front()));

@@ -22,9 +22,9 @@
 namespace sunder {
 namespace {
 
-/// Whether a path ends nearer to the plane that it meets than it is long.
-bool is_near(const FirstTouch& touch, const Path& path) {
-  return touch.gap_end < (path.end - path.start).norm();
+/// Whether a path ends nearer to the plane that it meets than it is long, or than `margin` (m).
+bool is_near(const FirstTouch& touch, const Path& path, double margin) {
+  return touch.gap_end < std::max(margin, (path.end - path.start).norm());
 }
 
 /// Adds a contact with sides that are `end` apart at the end of the step.
@@ -36,12 +36,12 @@ void add(DetectScratch& scratch, ContactPoint contact, const FirstTouch& touch, 
   scratch.found_gap.push_back(touch.gap_end);
 }
 
-/// Adds the contact if its path ends near. `rim`: m, `rim_of`.
+/// Adds the contact if its path ends near. `rim`: m, `rim_of`; `margin`: m, `StepPaths::margin`.
 void add_if_near(DetectScratch& scratch, const ContactPoint& contact, const Shape& shape,
-                 const Path& path, double rim) {
+                 const Path& path, double rim, double margin) {
   FirstTouch touch = first_touch(shape, path);
   if (std::abs(touch.gap_start) <= rim) choose_face(touch, shape, path, path.start, rim);
-  if (!is_near(touch, path)) return;
+  if (!is_near(touch, path, margin)) return;
   if (grazes(shape, path, touch, rim)) choose_face(touch, shape, path, path.end, rim);
   add(scratch, contact, touch, path.end);
 }
@@ -68,7 +68,7 @@ bool is_far(const StepPaths& paths, std::uint32_t row, const VertexReach& reach)
   const double own = obstacle.mass ? (paths.ball_end[row].centre - ball->center).norm()
                                    : paths.time_step * obstacle.velocity.norm();
   const Vec3 apart = (reach.low - ball->center).cwiseMax(ball->center - reach.high).cwiseMax(0);
-  return apart.norm() - ball->radius > 2 * (reach.farthest + own);
+  return apart.norm() - ball->radius > 2 * (reach.farthest + own) + paths.margin;
 }
 
 void find_vertex_obstacle(DetectScratch& scratch, const StepPaths& paths, std::uint32_t row,
@@ -83,7 +83,7 @@ void find_vertex_obstacle(DetectScratch& scratch, const StepPaths& paths, std::u
     if (!paths.members.has(paths.state.vertices.component[v])) continue;
     contact.vertex = VertexId{v};
     const ContactPath path = path_of(contact, paths);
-    add_if_near(scratch, contact, shape, {path.start, path.end, 0}, rim);
+    add_if_near(scratch, contact, shape, {path.start, path.end, 0}, rim, paths.margin);
   }
 }
 
@@ -130,7 +130,7 @@ void leave_out_seams(DetectScratch& scratch, const StepPaths& paths, double rim)
 void find_from_side_a(DetectScratch& scratch, const StepPaths& paths, ContactPoint contact,
                       const Shape& about_reference, double radius, double rim) {
   const ContactPath path = path_of(contact, paths);
-  add_if_near(scratch, contact, about_reference, {path.start, path.end, radius}, rim);
+  add_if_near(scratch, contact, about_reference, {path.start, path.end, radius}, rim, paths.margin);
 }
 
 /// Free obstacles against all others: balls by themselves, the rest by corners, those of both.

@@ -9,6 +9,7 @@
 #include "mechanics/frame/rotation.hpp"
 #include "mechanics/integrators/model_force.hpp"
 #include "mechanics/integrators/rigid_motion.hpp"
+#include "mechanics/measure_elements.hpp"
 #include "mechanics/state/dense_solve.hpp"
 #include "mechanics/state/living.hpp"
 
@@ -54,41 +55,66 @@ void solve_impulses(WaveScratch& wave, ContactStep& step, const RowStep& row_ste
   step.tie_residual = std::max(step.tie_residual, off[1]);
 }
 
-/// Velocity Verlet over the part in `count` steps: kicks with their impulses, and drifts between
-/// them. At both ends of the part there is half a kick, with half of the impulses.
-void run_steps(WaveScratch& wave, ContactStep& step, int count) {
-  const double h = step.h() / count;
-  WaveBodies& bodies = wave.bodies;
-  LumpedContacts& contacts = wave.contacts;
-  // A gap that is off by so much over a step counts as solved for.
-  const double tolerance = 1e-3 * step.settings.allowed_penetration / h;
-  double last = 1;
-  for (int k = 0; k <= count; ++k) {
-    const double share = k == 0 || k == count ? 0.5 : 1;
-    if (bodies.measures_work) bodies.velocity_before = bodies.nodes.velocity;
-    for (WaveBody& body : bodies.bodies) kick(bodies, body, share * h);
-    for (WaveRigid& body : contacts.rigid) {
-      body.velocity_before = body.velocity;
-      body.spin_before = body.spin;
-      body.velocity += share * h * body.fall;
-      body.weight_place += share * h * body.centre;
-    }
-    measure_gaps(contacts, bodies.nodes, k * h);
-    solve_impulses(wave, step, {h, share, share / last, k < count}, tolerance);
-    last = share;
-    if (bodies.measures_work) {
-      for (WaveBody& body : bodies.bodies) measure_work(bodies, body);
-    }
-    if (k == count) break;
-    for (WaveBody& body : bodies.bodies) drift(bodies, body, h);
-    for (WaveRigid& body : contacts.rigid) {
-      body.centre += h * body.velocity;
-      body.turned += h * body.spin;
+/// `StepInput::ends` for the part as it is after `elapsed` s. Needs: `find_forces`.
+bool ends_here(WaveScratch& wave, ContactStep& step, double elapsed) {
+  const StepInput& input = step.pass.input;
+  MechanicsState& state = step.pass.state;
+  if (wave.stress.empty()) {
+    wave.stress = state.elements.stress;
+    wave.corner_stress = state.elements.corner_stress;
+  }
+  std::vector<char> deforms(state.components.size(), 0);
+  for (const WaveBody& body : wave.bodies.bodies) {
+    deforms[body.id.index()] = 1;
+    for (std::size_t i = body.first_node; i < body.end_node; ++i) {
+      const std::size_t v = wave.bodies.nodes.vertex[i].index();
+      state.vertices.displacement[v] = row_of(wave.bodies.nodes.displacement, i);
     }
   }
-  step.report.tolerated = h * tolerance;
-  ++step.report.passes;
+  measure_elements(state, step.pass.mechanics, input.corners,
+                   {{.component = deforms, .ball = {}}, input.settings.model});
+  const double start = state.time;
+  state.time += elapsed;
+  const bool ends = (*input.ends)();
+  state.time = start;
+  return ends;
 }
+
+/// The stresses with which the part began: what follows compares with them.
+void put_back_stresses(WaveScratch& wave, MechanicsState& state) {
+  if (wave.stress.empty()) return;
+  state.elements.stress.swap(wave.stress);
+  state.elements.corner_stress.swap(wave.corner_stress);
+  wave.stress.clear();
+}
+
+/// Bodies and rigid pieces as the impulses of a step find them: with their weight, loads and forces
+/// of `length` s.
+void kick_all(WaveScratch& wave, double length) {
+  WaveBodies& bodies = wave.bodies;
+  if (bodies.measures_work) bodies.velocity_before = bodies.nodes.velocity;
+  for (WaveBody& body : bodies.bodies) kick(bodies, body, length);
+  for (WaveRigid& body : wave.contacts.rigid) {
+    body.velocity_before = body.velocity;
+    body.spin_before = body.spin;
+    body.velocity += length * body.fall;
+    body.weight_place += length * body.centre;
+  }
+}
+
+void drift_all(WaveScratch& wave, double h) {
+  for (WaveBody& body : wave.bodies.bodies) drift(wave.bodies, body, h);
+  for (WaveRigid& body : wave.contacts.rigid) {
+    body.centre += h * body.velocity;
+    body.turned += h * body.spin;
+  }
+}
+
+/// The steps of a part.
+struct StepCount {
+  int all = 1;          ///< of the part
+  int in_sub_step = 1;  ///< between two questions whether it ends
+};
 
 /// rad/s: the change of spin that an angular impulse makes of a body where its nodes are now.
 Vec3 spin_of_twist(const WaveNodes& nodes, const WaveBody& body, const Vec3& twist) {
@@ -96,21 +122,80 @@ Vec3 spin_of_twist(const WaveNodes& nodes, const WaveBody& body, const Vec3& twi
   return solve3(inertia_of(nodes, body), twist);
 }
 
-/// Rows of a body, and its frame. The moments that its nodes did not get turn it as a whole.
+/// The moments that the nodes of a body did not get turn it as a whole. Needs: its frame where the
+/// nodes are (`find_forces`).
+void give_twist(WaveScratch& wave, std::size_t b) {
+  WaveNodes& nodes = wave.bodies.nodes;
+  const WaveBody& body = wave.bodies.bodies[b];
+  const Vec3 spin = spin_of_twist(nodes, body, wave.contacts.twist[b]);
+  wave.contacts.twist[b].setZero();
+  if (spin.isZero(0)) return;
+  for (std::size_t i = body.first_node; i < body.end_node; ++i) {
+    auto v = row_of(nodes.velocity, i);
+    const Vec3 by_twist = spin.cross(row_of(nodes.position, i) - body.frame.centre);
+    wave.contacts.work.contact += nodes.mass[i] * by_twist.dot(v + 0.5 * by_twist);
+    v += by_twist;
+  }
+}
+
+/// As a sub-step ends: rigid bodies and their arms are turned, and moments are given.
+void end_sub_step(WaveScratch& wave, double length) {
+  turn_rigid(wave.contacts, length);
+  for (std::size_t b = 0; b < wave.bodies.bodies.size(); ++b) give_twist(wave, b);
+}
+
+/// Velocity Verlet over the part: kicks with their impulses, and drifts between them. At both ends of
+/// the part there is half a kick, with half of the impulses. Gives the number of steps taken.
+int run_steps(WaveScratch& wave, ContactStep& step, StepCount count) {
+  const double h = step.h() / count.all;
+  WaveBodies& bodies = wave.bodies;
+  // A gap that is off by so much over a step counts as solved for.
+  const double tolerance = 1e-3 * step.settings.allowed_penetration / h;
+  const bool asks = step.pass.input.ends && count.in_sub_step < count.all;
+  double last = 1;
+  int end = count.all;
+  for (int k = 0; k <= end; ++k) {
+    const bool is_between = k > 0 && k % count.in_sub_step == 0;
+    for (WaveBody& body : bodies.bodies) find_forces(bodies, body);
+    if (is_between) end_sub_step(wave, count.in_sub_step * h);
+    const bool may_end = asks && is_between && k < end;
+    if (may_end && ends_here(wave, step, k * h)) end = k;
+    const double share = k == 0 || k == end ? 0.5 : 1;
+    kick_all(wave, share * h);
+    measure_gaps(wave.contacts, bodies.nodes, k * h);
+    solve_impulses(wave, step, {h, share, share / last, k < end}, tolerance);
+    last = share;
+    if (bodies.measures_work) {
+      for (WaveBody& body : bodies.bodies) measure_work(bodies, body);
+    }
+    if (k < end) drift_all(wave, h);
+  }
+  put_back_stresses(wave, step.pass.state);
+  step.report.tolerated = h * tolerance;
+  ++step.report.passes;
+  return end;
+}
+
+/// The part was so many of its sub-steps long.
+void shorten(WaveScratch& wave, ContactStep& step, std::uint32_t taken) {
+  const std::uint32_t all = step.pass.input.part.sub_steps;
+  step.sub_steps = taken;
+  if (taken == all) return;
+  const double planned = step.h();
+  step.integrator.time_step = planned * taken / all;
+  wave.since_search -= planned - step.h();
+}
+
+/// Rows of a body, and its frame.
 void write_body(WaveScratch& wave, ContactStep& step, std::size_t b) {
   MechanicsScratch::Predicted& predicted = step.pass.mechanics.predicted;
   const WaveNodes& nodes = wave.bodies.nodes;
   const WaveBody& body = wave.bodies.bodies[b];
   const MechanicsState& state = step.pass.state;
   const Component& component = state.components[body.id.index()];
-  const Vec3 spin = spin_of_twist(nodes, body, wave.contacts.twist[b]);
   for (std::size_t i = body.first_node; i < body.end_node; ++i) {
-    const Vec3 x = row_of(nodes.position, i);
-    const Vec3 by_twist = spin.cross(x - body.frame.centre);
-    const Vec3 v = row_of(nodes.velocity, i);
-    wave.contacts.work.contact += nodes.mass[i] * by_twist.dot(v + 0.5 * by_twist);
-    predicted.position[nodes.vertex[i].index()] = x;
-    predicted.velocity[nodes.vertex[i].index()] = v + by_twist;
+    predicted.position[nodes.vertex[i].index()] = row_of(nodes.position, i);
+    predicted.velocity[nodes.vertex[i].index()] = row_of(nodes.velocity, i);
   }
   fit_prediction({step.pass.mechanics, step.pass.state, step.pass.input, component, nullptr});
   PredictedFrame& frame = predicted.frame[component.id.index()];
@@ -134,8 +219,7 @@ void write_rigid(const WaveRigid& body, ContactStep& step) {
   next.centre = body.centre;
   next.momentum = c.mass * body.velocity;
   next.angular_momentum = c.angular_momentum + body.twist;
-  const SpinStep spin{inertia, Vec3::Zero(), c.angular_momentum, next.angular_momentum, step.h()};
-  next.orientation = turn_through_step(c.orientation, spin);
+  next.orientation = body.orientation;
   const Mat3 R = next.orientation.toRotationMatrix();
   next.spin = R * solve3(inertia, R.transpose() * next.angular_momentum);
   next.spun = step.h() * solve3(inertia, c.orientation.conjugate() * c.angular_momentum).norm();
@@ -162,8 +246,10 @@ void write_obstacle(const WaveRigid& body, ContactStep& step) {
   blows.ball_impulse[body.obstacle] = body.impulse;
   blows.ball_twist[body.obstacle] = body.twist;
   blows.ball_touched[body.obstacle] = !body.impulse.isZero(0);
-  const Vec3 end = angular_momentum_of(free) + body.twist;
-  step.scratch.ball_end[body.obstacle] = {body.centre, turned_obstacle(free, end, step.h())};
+  step.scratch.ball_end[body.obstacle] = {
+      body.centre, body.impulse.isZero(0)
+                       ? turned_obstacle(free, body.angular_momentum, step.h())
+                       : body.orientation};
 }
 
 /// Results of contacts, and contacts as the next part may take them on.
@@ -213,17 +299,23 @@ void take_explicit_part(ContactStep& step) {
   gather_contacts(step);
   pack_bodies(wave.bodies, step.pass.state, step.pass.input);
   enlist_rigid(wave, step);
-  double bound = step.h();
+  double bound = step.h() / step.pass.input.part.sub_steps;
   for (const WaveBody& body : wave.bodies.bodies) {
     bound = std::min(bound, stable_step(wave.bodies, body));
   }
   constexpr double share = 0.9;
-  const double count = std::ceil(step.h() / (share * bound));
+  const std::uint32_t sub_steps = step.pass.input.part.sub_steps;
+  const int in_sub_step = static_cast<int>(std::ceil(step.h() / (sub_steps * share * bound)));
+  const int count = in_sub_step * static_cast<int>(sub_steps);
   prepare_scaled_cells(wave.bodies, step.pass.state, step.pass.input, step.h() / count);
   make_rows(wave, step, count);
   take_ties(wave, step, count);
-  run_steps(wave, step, static_cast<int>(count));
-  for (std::size_t b = 0; b < wave.bodies.bodies.size(); ++b) write_body(wave, step, b);
+  const int taken = run_steps(wave, step, {count, in_sub_step});
+  shorten(wave, step, static_cast<std::uint32_t>(taken / in_sub_step));
+  for (std::size_t b = 0; b < wave.bodies.bodies.size(); ++b) {
+    give_twist(wave, b);
+    write_body(wave, step, b);
+  }
   for (const WaveRigid& body : wave.contacts.rigid) {
     body.component.is_none() ? write_obstacle(body, step) : write_rigid(body, step);
   }

@@ -20,6 +20,9 @@ struct WaveScratch {
   /// contacts are to last, and how long ago it was (s).
   std::vector<Vec3> searched_position, searched_velocity;
   double searched_for = 0, since_search = 0;
+  /// Element stresses as the part began, while it is asked whether it ends (`StepInput::ends`).
+  std::vector<Mat3> stress;
+  std::vector<std::array<Mat3, 4>> corner_stress;
 };
 
 /// The contacts of the part, into `step.contacts`: along the ways that everything would go in
@@ -42,7 +45,8 @@ void take_ties(WaveScratch& wave, ContactStep& step, double count);
 /// - central differences (velocity Verlet): half a kick, then drifts with kicks between them, half
 ///   a kick; impulses of contacts between each kick and drift;
 /// - frames, displacements and rates from where the nodes end (`fit_motion`).
-/// The step is at most 0.9 of the stable one (`stable_step`). Momentum and angular momentum are
+/// The part ends early where `StepInput::ends` says so. Then its length and that of the settings
+/// is the one taken. The step is at most 0.9 of the stable one (`stable_step`). Momentum and angular momentum are
 /// conserved to rounding.
 void take_explicit_part(ContactStep& step);
 

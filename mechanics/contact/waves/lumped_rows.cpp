@@ -158,6 +158,26 @@ void measure_gaps(LumpedContacts& contacts, const WaveNodes& nodes, double elaps
   }
 }
 
+void turn_rigid(LumpedContacts& contacts, double elapsed) {
+  std::vector<Mat3> turn;
+  for (WaveRigid& body : contacts.rigid) {
+    const Vec3 momentum = body.angular_momentum + body.twist;
+    // The spin was taken as constant: what it changes by without a torque, to second order.
+    const Vec3 gyration = body.inverse_inertia * body.spin.cross(momentum);
+    const Eigen::Quaterniond by = rotation_of(body.turned - 0.5 * elapsed * elapsed * gyration);
+    const Mat3& R = turn.emplace_back(by.toRotationMatrix());
+    body.orientation = (by * body.orientation).normalized();
+    body.inverse_inertia = R * body.inverse_inertia * R.transpose();
+    body.spin = body.inverse_inertia * momentum;
+    body.turned.setZero();
+  }
+  for (LumpedRow& row : contacts.rows) {
+    for (LumpedSide& side : row.sides) {
+      if (side.rigid != LumpedSide::none) side.arm = turn[side.rigid] * side.arm;
+    }
+  }
+}
+
 void begin_rows(LumpedContacts& contacts, WaveNodes& nodes, const RowStep& step) {
   for (LumpedRow& row : contacts.rows) {
     if (row.impulse.isZero(0)) continue;

@@ -15,12 +15,14 @@ struct WaveRigid {
   ComponentId component;                                ///< none() for an obstacle
   std::uint32_t obstacle = 0;                           ///< its row
   double inverse_mass = 0;                              ///< 1/kg; 0: supports lead it
-  Mat3 inverse_inertia = Mat3::Zero();                  ///< 1/(kg m^2), world, as the part begins
+  Mat3 inverse_inertia = Mat3::Zero();                  ///< 1/(kg m^2), world, at the last turn
+  Eigen::Quaterniond orientation{1, 0, 0, 0};           ///< likewise (`turn_rigid`)
+  Vec3 angular_momentum{0, 0, 0};                       ///< kg m^2/s, as the part begins
   Vec3 centre{0, 0, 0};                                 ///< m
   Vec3 velocity{0, 0, 0};                               ///< m/s
   Vec3 spin{0, 0, 0};                                   ///< rad/s
   Vec3 velocity_before{0, 0, 0}, spin_before{0, 0, 0};  ///< as the step at hand began
-  Vec3 turned{0, 0, 0};                                 ///< rad, since the part began
+  Vec3 turned{0, 0, 0};                                 ///< rad, since the last turn
   Vec3 impulse{0, 0, 0};                                ///< N s, got in the part from contacts
   Vec3 twist{0, 0, 0};         ///< N m s, likewise, about its centre where that was
   Vec3 fall{0, 0, 0};          ///< m/s^2: gravity, where it acts
@@ -40,7 +42,7 @@ struct LumpedSide {
   std::uint32_t body = none;           ///< of the nodes
   std::uint32_t rigid = none;
   bool is_component = false;
-  Vec3 arm{0, 0, 0};       ///< m, of a rigid body: to where the row acts, as the part begins
+  Vec3 arm{0, 0, 0};       ///< m, of a rigid body: to where the row acts, at its last turn
   Vec3 velocity{0, 0, 0};  ///< m/s, of a driven obstacle
   Vec3 start{0, 0, 0};     ///< m, of a driven obstacle: its place as the part begins
   Vec3 place{0, 0, 0};     ///< m, where the side is as the step begins
@@ -81,6 +83,10 @@ std::array<double, 2> response_of(const LumpedSide& side, const LumpedContacts& 
 
 /// Where the sides of all rows are `elapsed` s after the part began, and their gaps.
 void measure_gaps(LumpedContacts& contacts, const WaveNodes& nodes, double elapsed);
+
+/// Turns rigid bodies and the arms on them by what they have turned in the last `elapsed` s. Spins
+/// follow from the angular momenta then.
+void turn_rigid(LumpedContacts& contacts, double elapsed);
 
 /// The step of a kick with its impulses.
 struct RowStep {

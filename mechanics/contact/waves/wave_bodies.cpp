@@ -203,12 +203,11 @@ bool deforms_in_wave(const Component& component) {
   return !component.tetrahedra.empty() && !component.rigid && component.rung == Rung::full;
 }
 
-void kick(WaveBodies& waves, WaveBody& body, double step) {
+void find_forces(WaveBodies& waves, WaveBody& body) {
   WaveNodes& nodes = waves.nodes;
   const std::size_t first = body.first_node, end = body.end_node;
   BodyFrame frame{body.frame.orientation.toRotationMatrix()};
   if (!body.supported) frame = follow_frame(body, nodes);
-  body.weight_place += step * body.frame.centre;
   const Mat3& R = frame.R;
   set_motion(nodes, first, end, turned(R.transpose(), body.frame.centre));
   const NodeMotion motion{nodes.displacement, nodes.rate, nodes.inner};
@@ -217,10 +216,18 @@ void kick(WaveBodies& waves, WaveBody& body, double step) {
   add_mass_damping(nodes, body);
   Mat3 Q = Mat3::Zero();
   if (!body.supported) Q = R * cross_matrix(torque_share(body, nodes, frame));
+  body.kicked = {R, Q, 0};
+}
+
+void kick(WaveBodies& waves, WaveBody& body, double step) {
+  WaveNodes& nodes = waves.nodes;
+  const Mat3 &R = body.kicked.R, &Q = body.kicked.Q;
+  body.kicked.step = step;
+  body.weight_place += step * body.frame.centre;
   begin_scaled_kick(nodes, body, R);
-  add_acceleration(nodes, first, end, turned(R, Vec3::Zero()), turned(Q, Vec3::Zero()), step);
+  add_acceleration(nodes, body.first_node, body.end_node, turned(R, Vec3::Zero()),
+                   turned(Q, Vec3::Zero()), step);
   end_scaled_kick(nodes, body);
-  body.kicked = {R, Q, step};
   follow_supports(waves, body);
 }
 

@@ -58,7 +58,7 @@ struct WaveBody {
   Vec3 frame_velocity{0, 0, 0};  ///< m/s, of a supported one
   Pose frame;                    ///< algorithm 2 where the nodes were at the last kick
   Vec3 weight_place{0, 0, 0};    ///< m s: places of the mass centre, times the lengths of kicks
-  /// The last kick: R, R [y]x of the torque's share, and its length, s.
+  /// The last forces and their kick: R, R [y]x of the torque's share, and its length, s.
   struct Kick {
     Mat3 R = Mat3::Identity(), Q = Mat3::Zero();
     double step = 0;
@@ -98,10 +98,13 @@ bool deforms_in_wave(const Component& component);
 /// since the part before; else their motion is read. O(vertices + tetrahedra).
 void pack_bodies(WaveBodies& waves, const MechanicsState& state, const StepInput& input);
 
-/// Needs: `prepare_scaled_cells`. velocity += `step` s times the acceleration where the nodes are:
-/// by algorithm 1 in its conservative form (`deformation_forces`), with viscosity C d' in it, and
-/// by loads. Held nodes keep the velocity of their support. `step` is half of a step at the ends of
-/// a part.
+/// Displacements where the nodes are, and the forces of algorithm 1 in its conservative form
+/// (`deformation_forces`), with viscosity C d' in it.
+void find_forces(WaveBodies& waves, WaveBody& body);
+
+/// velocity += `step` s times the acceleration by these forces and by loads. Held nodes keep the
+/// velocity of their support. `step` is half of a step at the ends of a part. Needs: `find_forces`,
+/// `prepare_scaled_cells`.
 void kick(WaveBodies& waves, WaveBody& body, double step);
 
 /// Gives held nodes the velocity of their support along the axes on which they are held.

@@ -4,12 +4,15 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
+#include <limits>
 #include <map>
 
 #include "mechanics/contact/detection/contact_partners.hpp"
 #include "mechanics/contact/shapes/obstacle_geometry.hpp"
 #include "mechanics/state/living.hpp"
+#include "mechanics/state/wave_travel.hpp"
 
 namespace sunder {
 namespace {
@@ -50,14 +53,24 @@ bool takes_part(const ContactStep& step, const ContactPoint& contact) {
   return all;
 }
 
-/// Whether a vertex of a member is farther from where the last search for contacts expected it than
-/// a share of the mean edge.
-bool has_strayed(const ContactStep& step) {
+/// m: how far a vertex may be from where it was expected: a share of the smallest mean cell of those
+/// that deform.
+double stray_limit(const ContactStep& step) {
   constexpr double share = 0.04;
+  const MechanicsState& state = step.pass.state;
+  double cell = std::numeric_limits<double>::infinity();
+  for_each_living(state, step.pass.input.members, [&](const Component& c) {
+    if (deforms_in_wave(c)) cell = std::min(cell, mean_cell(state, c));
+  });
+  return std::isfinite(cell) ? share * cell : 0;
+}
+
+/// Whether a vertex of a member is farther from where the last search for contacts expected it than
+/// `most` m.
+bool has_strayed(const ContactStep& step, double most) {
   const WaveScratch& wave = *step.scratch.wave;
   const VertexColumns& v = step.pass.state.vertices;
   const double since = wave.since_search - step.h();
-  const double most = share * step.scratch.detect.mean_edge;
   for (std::size_t i = 0; i < wave.searched_position.size(); ++i) {
     if (!step.pass.input.members.has(v.component[i])) continue;
     const Vec3 expected = wave.searched_position[i] + since * wave.searched_velocity[i];
@@ -191,10 +204,11 @@ LumpedRow row_of(WaveScratch& wave, const ContactStep& step, const ContactPoint&
 void gather_contacts(ContactStep& step) {
   WaveScratch& wave = *step.scratch.wave;
   double ahead = step.pass.input.part.contacts_for;
+  step.margin = stray_limit(step);
   wave.since_search += step.h();
   if (ahead == 0) {
     ahead = wave.searched_for - (wave.since_search - step.h());
-    if (!has_strayed(step)) {
+    if (!has_strayed(step, step.margin)) {
       predict_free_flight(step, step.h());
       return take_kept_contacts(step);
     }
@@ -223,12 +237,14 @@ void enlist_rigid(WaveScratch& wave, const ContactStep& step) {
     WaveRigid body;
     body.component = c.id;
     body.centre = c.centre;
+    body.orientation = c.orientation;
     if (c.supported) {
       body.velocity = c.frame_velocity;
     } else {
       body.inverse_mass = 1 / c.mass;
       body.inverse_inertia = world_inertia(state, c).inverse();
       body.velocity = c.momentum / c.mass;
+      body.angular_momentum = c.angular_momentum;
       body.spin = body.inverse_inertia * c.angular_momentum;
       if (c.rung != Rung::carried) body.fall = step.pass.input.loads.gravity;
     }
@@ -245,6 +261,8 @@ void enlist_rigid(WaveScratch& wave, const ContactStep& step) {
     body.inverse_inertia = inverse_inertia(free);
     body.centre = pose_of(free.shape).centre;
     body.velocity = free.velocity;
+    body.orientation = pose_of(free.shape).orientation;
+    body.angular_momentum = angular_momentum_of(free);
     body.spin = free.spin;
     body.fall = step.pass.input.loads.gravity;
     rigid.push_back(body);
