@@ -66,7 +66,8 @@ constexpr auto member_names(const ContactSettings*) {
                "max_iterations", "tolerance", "max_passes", "max_contacts_per_pair");
 }
 constexpr auto member_names(const ImpactSettings*) {
-  return names("window", "scheme", "fraction", "negligible", "by_energy", "max_sub_steps");
+  return names("window", "scheme", "fraction", "negligible", "by_energy", "at_once",
+               "max_sub_steps");
 }
 constexpr auto member_names(const FractureSettings*) {
   return names("mode", "max_fans", "max_new_pieces", "budget_time", "node_stress", "test",
@@ -126,8 +127,8 @@ constexpr auto member_names(const Component*) {
 constexpr auto member_names(const StrainChange*) { return names("before", "after", "difference"); }
 constexpr auto member_names(const ComponentSystem*) {
   return names("order", "free_count", "held_scalars", "shape", "stiffness", "analysis",
-               "factor_row", "border", "border_age", "step", "wave", "tetrahedra",
-               "corners", "edge_nodes", "row_vertex");
+               "factor_row", "border", "border_age", "step", "wave", "tetrahedra", "corners",
+               "edge_nodes", "row_vertex");
 }
 constexpr auto member_names(const RestShape*) {
   return names("arm", "mass", "total_mass", "inertia");

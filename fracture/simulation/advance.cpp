@@ -158,17 +158,19 @@ StepReport advance(Simulation& sim, const StepObserver& observe) {
   double untested = 0;  // s
   std::vector<char> unbroken;
   const auto breakable_now = [&] { return breakable(plan, s, unbroken); };
-  const std::function<bool()> ends = [&] {
+  const auto anything_breaks = [&] {
     return any_breaks({s.cells, s.mechanics}, with_budget_left(scene, s), scratch.fracture,
                       breakable_now());
   };
+  const std::function<bool()> ends = std::ref(anything_breaks);
   while (const std::optional<PlannedPart> part = next_part(plan, scene, s)) {
     plan.hurried = sim.hurry && *sim.hurry;
     ContactStepResult taken;
     if (part->moves) {
       const StageTimer timer(report, Stage::mechanics);
-      const PartInput input{scene,        sim.bodies,  *part,     plan.members(),
-                            plan.gravity, sim.threads, sim.hurry, sim.reports_forces, &ends};
+      const PartInput input{scene,          sim.bodies,         *part,
+                            plan.members(), plan.gravity,       sim.threads,
+                            sim.hurry,      sim.reports_forces, &ends};
       const std::optional<Attempt> attempt = begin_attempt(scene, *part, s, report);
       taken = take_part(report, s, input, scratch);
       const bool fails = taken.status.outcome != StepOutcome::fine;
@@ -206,10 +208,9 @@ StepReport advance(Simulation& sim, const StepObserver& observe) {
     FanClock clock;
     {
       const StageTimer timer(report, Stage::fracture);
-      found = break_members({s.cells, s.mechanics}, s.script,
-                            with_budget_left(scene, s),
-                            {s.step + 1, report.parts}, breakable_now(), scratch.fracture,
-                            untested, clock.watch());
+      found = break_members({s.cells, s.mechanics}, s.script, with_budget_left(scene, s),
+                            {s.step + 1, report.parts}, breakable_now(), scratch.fracture, untested,
+                            clock.watch());
       untested = 0;
       report.departed = s.script && s.script->departure;
     }

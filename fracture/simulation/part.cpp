@@ -70,6 +70,7 @@ ContactStepResult take_part(StepReport& report, SimulationState& s, const PartIn
                         .hurry = part.hurry};
   std::optional<HeldRegions> regions;
   if (part.reports_forces) regions.emplace(part.scene, part.bodies);
+  const double end = s.mechanics.time + part.plan.length;
   raise_supports(report, s.mechanics, part, regions);
   remember_start(scratch.before, s, part.scene.energy_ledger);
   ContactStepResult result =
@@ -78,7 +79,6 @@ ContactStepResult take_part(StepReport& report, SimulationState& s, const PartIn
   if (!result.adopted) return result;
   // An explicit wave may have ended before its length.
   settings.time_step *= static_cast<double>(result.sub_steps) / part.plan.part.sub_steps;
-  const double end = s.mechanics.time;
   const AdoptedPart adopted{s, input, result, scratch.before};
   support_impulses(scratch.supports, adopted);
   add_part_momentum(report.momentum, adopted, scratch.supports);

@@ -11,7 +11,6 @@
 #include "mechanics/contact/impact/impact_energy.hpp"
 #include "mechanics/contact/shapes/obstacle_geometry.hpp"
 #include "mechanics/state/living.hpp"
-#include "topology/base/sort_unique.hpp"
 #include "topology/base/whole_number.hpp"
 
 namespace sunder {
@@ -79,22 +78,6 @@ double wave_viscosity(const Scene& scene) {
   return scene.fracture.crack == CrackMode::cohesive ? 0.1 : StepPart{}.viscosity;
 }
 
-/// Whom fans have cracked.
-std::vector<ComponentId> cracked_by(std::span<const FanEvent> fans, const MechanicsState& m) {
-  std::vector<ComponentId> cracked;
-  const auto add = [&](VertexId v) { cracked.push_back(m.vertices.component[v.index()]); };
-  for (const FanEvent& fan : fans) {
-    add(fan.vertex);
-    for (const FaceSplit& face : fan.faces) {
-      for (int i = 0; i < face.vertex_count; ++i) {
-        add(face.split_vertices[static_cast<std::size_t>(i)].new_row);
-      }
-    }
-  }
-  sort_unique(cracked);
-  return cracked;
-}
-
 double time_left(const StepPlan& plan, const SimulationState& s) {
   return static_cast<double>(plan.left) * s.impact.sub_step;
 }
@@ -151,20 +134,16 @@ void begin_members(StepPlan& plan, const Scene& scene, SimulationState& s) {
   if (!plan.throughout) plan.still = sub_steps_before(plan.blow, plan.left, s.impact.sub_step);
 }
 
-/// For how many sub-steps contacts are found at once. Members move against each other by a tenth of
-/// the smallest mean cell, and the step does not end before.
-std::uint64_t sub_steps_of_contacts(const StepPlan& plan, const SimulationState& s) {
-  constexpr double share_of_cell = 0.1;
-  double cell = std::numeric_limits<double>::infinity();  // m
-  for (const ComponentId id : open_windows(s.impact)) {
-    const Component& c = s.mechanics.components[id.index()];
-    if (!c.tetrahedra.empty()) cell = std::min(cell, mean_cell(s.mechanics, c));
+/// Explicit sub-steps: how many at once, and for how long their contacts serve.
+void plan_explicit(StepPart& wave, StepPlan& plan, const Scene& scene, SimulationState& s) {
+  stiffen_members(plan, s);
+  if (plan.served == 0) {
+    plan.served = sub_steps_of_contacts(plan, s, time_left(plan, s));
+    wave.contacts_for = static_cast<double>(plan.served) * s.impact.sub_step;
   }
-  const double speed = speed_among_members(plan, s);
-  double longest = time_left(plan, s);
-  if (speed > 0) longest = std::min(longest, share_of_cell * cell / speed);
-  const double count = std::floor(longest / s.impact.sub_step * (1 + 1e-9));
-  return whole_number<std::uint64_t>(std::max(1.0, count));
+  const std::uint32_t most = scene.impact.max_sub_steps - plan.impact.sub_steps;
+  wave.sub_steps = static_cast<std::uint32_t>(
+      std::min<std::uint64_t>({plan.together, plan.served, plan.left, most}));
 }
 
 PlannedPart next_of_members(StepPlan& plan, const Scene& scene, SimulationState& s) {
@@ -191,16 +170,7 @@ PlannedPart next_of_members(StepPlan& plan, const Scene& scene, SimulationState&
     StepPart wave{Deformation::wave, 0,           &scene.impact,        plan.strength,
                   plan.threshold,    wave_viscosity(scene)};
     wave.is_explicit = is_explicit(scene);
-    if (wave.is_explicit) stiffen_members(plan, s);
-    if (wave.is_explicit && plan.served == 0) {
-      plan.served = sub_steps_of_contacts(plan, s);
-      wave.contacts_for = static_cast<double>(plan.served) * sub_step;
-    }
-    if (wave.is_explicit) {
-      const std::uint32_t most = scene.impact.max_sub_steps - plan.impact.sub_steps;
-      wave.sub_steps = static_cast<std::uint32_t>(
-          std::min<std::uint64_t>({plan.together, plan.served, plan.left, most}));
-    }
+    if (wave.is_explicit) plan_explicit(wave, plan, scene, s);
     return {wave, wave.sub_steps * sub_step};
   }
   unstiffen_members(s);
@@ -254,9 +224,13 @@ void note_sub_steps(StepPlan& plan, std::uint32_t count, const Blows& blows, Sim
   }
 }
 
-/// Parts of explicit waves are twice as long as the one before, up to a bound, unless that ended early.
-void note_length(StepPlan& plan, const PlannedPart& part, const ContactStepResult& result) {
-  constexpr std::uint32_t most = 16;
+/// Parts of explicit waves are twice as long as the one before, unless that ended early. Supports
+/// that are raised have one velocity in a part: then each has one sub-step.
+void note_length(StepPlan& plan, const PlannedPart& part, const ContactStepResult& result,
+                 const Scene& scene, const MechanicsState& m) {
+  const bool is_raised = std::ranges::any_of(
+      m.motions, [](const PrescribedMotion& motion) { return !motion.raised.empty(); });
+  const std::uint32_t most = is_raised ? 1 : scene.impact.at_once;
   const bool is_whole = result.sub_steps == part.part.sub_steps;
   plan.together = is_whole ? std::min(most, 2 * result.sub_steps) : result.sub_steps;
 }
@@ -272,7 +246,7 @@ void note_members(StepPlan& plan, const PlannedPart& part, const ContactStepResu
       note_sub_steps(plan, result.sub_steps, result.blows, s);
       plan.left -= result.sub_steps;
       plan.served -= std::min<std::uint64_t>(plan.served, result.sub_steps);
-      note_length(plan, part, result);
+      note_length(plan, part, result, scene, s.mechanics);
       return;
     default:
       if (result.adopted) {

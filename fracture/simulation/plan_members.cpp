@@ -10,7 +10,10 @@
 #include "fracture/simulation/ledger/break_energy.hpp"
 #include "mechanics/frame/affine_motion.hpp"
 #include "mechanics/state/living.hpp"
+#include "mechanics/state/wave_travel.hpp"
 #include "topology/base/assert.hpp"
+#include "topology/base/sort_unique.hpp"
+#include "topology/base/whole_number.hpp"
 
 namespace sunder {
 namespace {
@@ -32,8 +35,9 @@ void take_those(StepPlan& plan, const SimulationState& s, Fits fits) {
   leave_out(plan.balls, s.ladder.rubble.ball_apart);
 }
 
-}  // namespace
-
+/// m/s: the larger of two speeds. One vertex in a hundred of the members exceeds the first, against
+/// the affine field that fits their vertices. The fastest obstacle has the second, against their
+/// mean.
 double speed_among_members(const StepPlan& plan, const SimulationState& s) {
   const VertexColumns& v = s.mechanics.vertices;
   std::vector<std::size_t> rows;
@@ -57,6 +61,37 @@ double speed_among_members(const StepPlan& plan, const SimulationState& s) {
     squared = std::max(squared, (obstacle.velocity - field.mean).squaredNorm());
   }
   return std::sqrt(squared);
+}
+
+}  // namespace
+
+std::vector<ComponentId> cracked_by(std::span<const FanEvent> fans, const MechanicsState& m) {
+  std::vector<ComponentId> cracked;
+  const auto add = [&](VertexId v) { cracked.push_back(m.vertices.component[v.index()]); };
+  for (const FanEvent& fan : fans) {
+    add(fan.vertex);
+    for (const FaceSplit& face : fan.faces) {
+      for (int i = 0; i < face.vertex_count; ++i) {
+        add(face.split_vertices[static_cast<std::size_t>(i)].new_row);
+      }
+    }
+  }
+  sort_unique(cracked);
+  return cracked;
+}
+
+std::uint64_t sub_steps_of_contacts(const StepPlan& plan, const SimulationState& s, double left) {
+  constexpr double share_of_cell = 0.1;
+  double cell = std::numeric_limits<double>::infinity();  // m
+  for (const ComponentId id : open_windows(s.impact)) {
+    const Component& c = s.mechanics.components[id.index()];
+    if (!c.tetrahedra.empty()) cell = std::min(cell, mean_cell(s.mechanics, c));
+  }
+  const double speed = speed_among_members(plan, s);
+  double longest = left;
+  if (speed > 0) longest = std::min(longest, share_of_cell * cell / speed);
+  const double count = std::floor(longest / s.impact.sub_step * (1 + 1e-9));
+  return whole_number<std::uint64_t>(std::max(1.0, count));
 }
 
 void stiffen_members(StepPlan& plan, SimulationState& s) {

@@ -29,9 +29,14 @@ void take_the_members(StepPlan& plan, const SimulationState& state);
 /// off take their vertices' with them.
 void note_strengths(StepPlan& plan, const Scene& scene, const SimulationState& state);
 
-/// m/s: the larger of two speeds. One vertex in a hundred of the members exceeds the first, against the
-/// affine field that fits their vertices. The fastest obstacle has the second, against their mean.
-double speed_among_members(const StepPlan& plan, const SimulationState& state);
+/// Components that fans have cracked, ascending, none twice.
+std::vector<ComponentId> cracked_by(std::span<const FanEvent> fans,
+                                    const MechanicsState& mechanics);
+
+/// For how many sub-steps contacts are found at once, with `left` s to go: members move against
+/// each other by a tenth of the smallest mean cell in them, and the step does not end before.
+std::uint64_t sub_steps_of_contacts(const StepPlan& plan, const SimulationState& state,
+                                    double left);
 
 /// Makes rigid bodies (`Rung::stiff`) of members that came off a body and have no open window. They
 /// deform again once their windows open. Supported and tied pieces, and whole bodies, deform always.

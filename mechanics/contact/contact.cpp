@@ -26,9 +26,9 @@ ContactScratch& ContactScratch::operator=(ContactScratch&&) noexcept = default;
 
 StepPaths paths_of(const ContactStep& step) {
   const MechanicsScratch::Predicted& predicted = step.pass.mechanics.predicted;
-  StepPaths paths{step.pass.state,     step.pass.input.corners, predicted.position,
-                  predicted.frame,     step.pass.obstacles,     step.scratch.ball_end,
-                  step.h(),            step.pass.input.members, step.pass.input.neighbours};
+  StepPaths paths{step.pass.state, step.pass.input.corners, predicted.position,
+                  predicted.frame, step.pass.obstacles,     step.scratch.ball_end,
+                  step.h(),        step.pass.input.members, step.pass.input.neighbours};
   if (step.ahead > 0) paths.time_step = step.ahead;
   paths.margin = step.margin;
   return paths;

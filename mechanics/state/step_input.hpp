@@ -103,7 +103,7 @@ struct StepInput {
 
 /// The same input with other settings, which must outlive it.
 inline StepInput with_settings(const StepInput& input, const IntegratorSettings& settings) {
-  return {input.corners, input.loads,          settings,      input.part, input.members,
+  return {input.corners,    input.loads,           settings,      input.part, input.members,
           input.neighbours, input.measures_strain, input.threads, input.ends, input.hurry};
 }
 

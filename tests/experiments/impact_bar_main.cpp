@@ -23,7 +23,8 @@ void print_row(const BarImpact& impact) {
 }  // namespace
 
 /// Arguments: `--whole` leaves fracture out, so that all of a run is of one bar; `--no-window`
-/// leaves impact windows out; `--explicit` takes them by explicit steps; `--fraction F` sets their sub-step over L/c.
+/// leaves impact windows out; `--implicit` takes implicit sub-steps in them; `--fraction F` sets
+/// their sub-step over L/c.
 int main(int argc, char** argv) {
   BarImpact impact;
   for (int i = 1; i < argc; ++i) {
@@ -31,12 +32,13 @@ int main(int argc, char** argv) {
       impact.breaks = false;
     } else if (std::strcmp(argv[i], "--no-window") == 0) {
       impact.impact.window = false;
-    } else if (std::strcmp(argv[i], "--explicit") == 0) {
-      impact.impact.scheme = sunder::ImpactScheme::central;
+    } else if (std::strcmp(argv[i], "--implicit") == 0) {
+      impact.impact.scheme = sunder::ImpactScheme::implicit;
     } else if (std::strcmp(argv[i], "--fraction") == 0 && i + 1 < argc) {
       impact.impact.fraction = std::atof(argv[++i]);
     } else {
-      std::fprintf(stderr, "usage: impact_bar [--whole] [--no-window] [--explicit] [--fraction F]\n");
+      std::fprintf(stderr,
+                   "usage: impact_bar [--whole] [--no-window] [--implicit] [--fraction F]\n");
       return 2;
     }
   }

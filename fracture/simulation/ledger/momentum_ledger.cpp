@@ -3,7 +3,6 @@
 #include "fracture/simulation/ledger/momentum_ledger.hpp"
 
 #include "mechanics/contact/shapes/obstacle_geometry.hpp"
-#include "mechanics/contact/waves/wave_bodies.hpp"
 #include "mechanics/element/energy.hpp"
 #include "mechanics/integrators/coefficients.hpp"
 #include "mechanics/state/living.hpp"
@@ -24,10 +23,7 @@ bool is_wave(const AdoptedPart& part) { return part.input.part.deformation == De
 Vec3 place_of_weight(const AdoptedPart& part, const Component& c) {
   const std::size_t row = c.id.index();
   const Vec3& start = part.before.centre[row];
-  // Rigid members that nothing touched fall as in any other part.
-  if (part.result.trace && (deforms_in_wave(c) || is_struck(part.result.touched, row))) {
-    return part.result.trace->weight_place[row];
-  }
+  if (part.result.trace) return part.result.trace->weight_place[row];
   if (is_wave(part)) {
     const double share = share_in_wave(part, c);
     return start + (1 - share) * part.input.settings.time_step / c.mass * part.before.momentum[row];

@@ -78,7 +78,8 @@ struct StepPaths {
   StepMembers members = {};                                    ///< only they meet
   std::span<const std::array<HalfFaceId, 4>> neighbours = {};  ///< `StepInput::neighbours`
   std::span<const CornerPath> corner = {};  ///< that come near pieces
-  /// m: vertices that end so near an obstacle meet it too. The ways of explicit waves are estimates.
+  /// m: vertices that end so near an obstacle meet it too. The ways of explicit waves are
+  /// estimates.
   double margin = 0;
 
   bool is_corner(VertexId v) const { return v.index() >= predicted.size(); }

@@ -162,6 +162,12 @@ void describe(V& v, ImpactSettings& i) {
       i.negligible);
   v.field(Key{"by_energy", "", "Sub-step only impacts with enough energy to break the body"},
           i.by_energy);
+  v.field(
+      Key{"at_once", "",
+          "Most explicit sub-steps between two looks at windows, and at contacts with obstacles "
+          "and crack faces; cracks are looked for in each",
+          between(1, 1024)},
+      i.at_once);
   v.field(Key{"max_sub_steps", "",
               "Sub-steps allowed per step; the remainder is then taken at once, with a warning",
               between(1, 1e6)},

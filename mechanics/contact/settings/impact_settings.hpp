@@ -21,7 +21,7 @@ enum class ImpactScheme {
 struct ImpactSettings {
   /// True: struck components are sub-stepped. False: one step for all components.
   bool window = true;
-  ImpactScheme scheme = ImpactScheme::implicit;
+  ImpactScheme scheme = ImpactScheme::central;
   /// Largest sub-step divided by L/c. L is the component's extent (twice the distance of its
   /// farthest vertex from its centre), and c is the speed of compression waves. No sub-step is
   /// shorter than half the time in which a wave crosses a mean cell, because the mesh carries no
@@ -32,6 +32,9 @@ struct ImpactSettings {
   /// True: a window opens only if the energy that can enter a component before the next check could
   /// break it, and closes when less remains. False: a window opens at every such impact, for 2 L/c.
   bool by_energy = true;
+  /// Most explicit sub-steps between two looks at windows, and at contacts with obstacles and crack
+  /// faces. Cracks are looked for in each of them.
+  std::uint32_t at_once = 16;
   /// Most sub-steps per step. The remainder of the step is then taken at once.
   std::uint32_t max_sub_steps = 10000;
 };

@@ -107,6 +107,7 @@ void drift_all(WaveScratch& wave, double h) {
   for (WaveRigid& body : wave.contacts.rigid) {
     body.centre += h * body.velocity;
     body.turned += h * body.spin;
+    body.since_turn += h;
   }
 }
 
@@ -138,14 +139,11 @@ void give_twist(WaveScratch& wave, std::size_t b) {
   }
 }
 
-/// As a sub-step ends: rigid bodies and their arms are turned, and moments are given.
-void end_sub_step(WaveScratch& wave, double length) {
-  turn_rigid(wave.contacts, length);
-  for (std::size_t b = 0; b < wave.bodies.bodies.size(); ++b) give_twist(wave, b);
-}
+/// rad: rigid bodies turn so far before contacts on them turn along.
+constexpr double small_turn = 0.01;
 
-/// Velocity Verlet over the part: kicks with their impulses, and drifts between them. At both ends of
-/// the part there is half a kick, with half of the impulses. Gives the number of steps taken.
+/// Velocity Verlet over the part: kicks with their impulses, and drifts between them. At both ends
+/// of the part there is half a kick, with half of the impulses. Gives the number of steps taken.
 int run_steps(WaveScratch& wave, ContactStep& step, StepCount count) {
   const double h = step.h() / count.all;
   WaveBodies& bodies = wave.bodies;
@@ -157,7 +155,8 @@ int run_steps(WaveScratch& wave, ContactStep& step, StepCount count) {
   for (int k = 0; k <= end; ++k) {
     const bool is_between = k > 0 && k % count.in_sub_step == 0;
     for (WaveBody& body : bodies.bodies) find_forces(bodies, body);
-    if (is_between) end_sub_step(wave, count.in_sub_step * h);
+    turn_rigid(wave.contacts, is_between || k == end ? 0 : small_turn);
+    for (std::size_t b = 0; is_between && b < bodies.bodies.size(); ++b) give_twist(wave, b);
     const bool may_end = asks && is_between && k < end;
     if (may_end && ends_here(wave, step, k * h)) end = k;
     const double share = k == 0 || k == end ? 0.5 : 1;
@@ -210,7 +209,7 @@ void write_rigid(const WaveRigid& body, ContactStep& step) {
   MechanicsScratch::Predicted& predicted = step.pass.mechanics.predicted;
   const MechanicsState& state = step.pass.state;
   const Component& c = state.components[body.component.index()];
-  if (c.supported || body.impulse.isZero(0)) {
+  if (c.supported || (c.rung == Rung::carried && body.impulse.isZero(0))) {
     predict(step.pass.mechanics, step.pass.state, step.pass.input, {&c.id, 1});
     return;
   }
@@ -247,9 +246,8 @@ void write_obstacle(const WaveRigid& body, ContactStep& step) {
   blows.ball_twist[body.obstacle] = body.twist;
   blows.ball_touched[body.obstacle] = !body.impulse.isZero(0);
   step.scratch.ball_end[body.obstacle] = {
-      body.centre, body.impulse.isZero(0)
-                       ? turned_obstacle(free, body.angular_momentum, step.h())
-                       : body.orientation};
+      body.centre, body.impulse.isZero(0) ? turned_obstacle(free, body.angular_momentum, step.h())
+                                          : body.orientation};
 }
 
 /// Results of contacts, and contacts as the next part may take them on.

@@ -158,19 +158,27 @@ void measure_gaps(LumpedContacts& contacts, const WaveNodes& nodes, double elaps
   }
 }
 
-void turn_rigid(LumpedContacts& contacts, double elapsed) {
-  std::vector<Mat3> turn;
-  for (WaveRigid& body : contacts.rigid) {
+void turn_rigid(LumpedContacts& contacts, double least) {
+  std::vector<Mat3>& turn = contacts.turn;
+  turn.assign(contacts.rigid.size(), Mat3::Identity());
+  bool any = false;
+  for (std::size_t k = 0; k < contacts.rigid.size(); ++k) {
+    WaveRigid& body = contacts.rigid[k];
+    if (body.turned.norm() < least) continue;
+    any = true;
     const Vec3 momentum = body.angular_momentum + body.twist;
     // The spin was taken as constant: what it changes by without a torque, to second order.
     const Vec3 gyration = body.inverse_inertia * body.spin.cross(momentum);
-    const Eigen::Quaterniond by = rotation_of(body.turned - 0.5 * elapsed * elapsed * gyration);
-    const Mat3& R = turn.emplace_back(by.toRotationMatrix());
+    const double half = 0.5 * body.since_turn * body.since_turn;
+    const Eigen::Quaterniond by = rotation_of(body.turned - half * gyration);
+    turn[k] = by.toRotationMatrix();
     body.orientation = (by * body.orientation).normalized();
-    body.inverse_inertia = R * body.inverse_inertia * R.transpose();
+    body.inverse_inertia = turn[k] * body.inverse_inertia * turn[k].transpose();
     body.spin = body.inverse_inertia * momentum;
     body.turned.setZero();
+    body.since_turn = 0;
   }
+  if (!any) return;
   for (LumpedRow& row : contacts.rows) {
     for (LumpedSide& side : row.sides) {
       if (side.rigid != LumpedSide::none) side.arm = turn[side.rigid] * side.arm;

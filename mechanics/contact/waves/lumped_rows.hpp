@@ -23,6 +23,7 @@ struct WaveRigid {
   Vec3 spin{0, 0, 0};                                   ///< rad/s
   Vec3 velocity_before{0, 0, 0}, spin_before{0, 0, 0};  ///< as the step at hand began
   Vec3 turned{0, 0, 0};                                 ///< rad, since the last turn
+  double since_turn = 0;                                ///< s
   Vec3 impulse{0, 0, 0};                                ///< N s, got in the part from contacts
   Vec3 twist{0, 0, 0};         ///< N m s, likewise, about its centre where that was
   Vec3 fall{0, 0, 0};          ///< m/s^2: gravity, where it acts
@@ -74,6 +75,7 @@ struct LumpedContacts {
   std::vector<WaveRigid> rigid;
   std::vector<Vec3> twist;  ///< N m s, row = body of nodes: moments that its nodes did not get
   std::vector<std::uint32_t> pressed;  ///< rows that the last sweep over all found so
+  std::vector<Mat3> turn;              ///< scratch of `turn_rigid`, row = rigid body
   RowWork work;
 };
 
@@ -84,9 +86,9 @@ std::array<double, 2> response_of(const LumpedSide& side, const LumpedContacts& 
 /// Where the sides of all rows are `elapsed` s after the part began, and their gaps.
 void measure_gaps(LumpedContacts& contacts, const WaveNodes& nodes, double elapsed);
 
-/// Turns rigid bodies and the arms on them by what they have turned in the last `elapsed` s. Spins
-/// follow from the angular momenta then.
-void turn_rigid(LumpedContacts& contacts, double elapsed);
+/// Turns rigid bodies that have turned by at least `least` rad since their last turn, and the arms
+/// on them. Spins follow from the angular momenta then.
+void turn_rigid(LumpedContacts& contacts, double least);
 
 /// The step of a kick with its impulses.
 struct RowStep {

@@ -53,8 +53,8 @@ bool takes_part(const ContactStep& step, const ContactPoint& contact) {
   return all;
 }
 
-/// m: how far a vertex may be from where it was expected: a share of the smallest mean cell of those
-/// that deform.
+/// m: how far a vertex may be from where it was expected: a share of the smallest mean cell of
+/// those that deform.
 double stray_limit(const ContactStep& step) {
   constexpr double share = 0.04;
   const MechanicsState& state = step.pass.state;

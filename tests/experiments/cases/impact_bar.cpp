@@ -48,6 +48,7 @@ Scene scene_of(const BarImpact& impact, const Scales& scales) {
   scene.contact = impact.contact;
   scene.contact.friction = 0;
   scene.impact = impact.impact;
+  scene.impact.at_once = 1;  // contact times are read as parts end
   scene.fracture.mode = impact.breaks ? FractureMode::all : FractureMode::off;
   return scene;
 }

@@ -142,3 +142,40 @@ TEST_CASE("a refused fan is counted once while the stress stays", "[fracture][wa
   for (Mat3& s : body.state.elements.stress) s = Vec3(4e6, 3e6, 4e6).asDiagonal();
   CHECK(break_vertices({body.cells, body.state}, settings, scratch).refused_fans == 3);
 }
+
+TEST_CASE("whether anything breaks is asked without a split, and leaves out what waits",
+          "[fracture][waiting]") {
+  TwoTips tips;
+  const auto asks = [&] {
+    return any_breaks({tips.body.cells, tips.body.state}, {}, tips.scratch, {});
+  };
+  tips.set_stress(Vec3::UnitZ(), 2.9e6);
+  CHECK_FALSE(asks());
+  tips.set_stress(Vec3::UnitZ(), 4e6);
+  CHECK(asks());
+  CHECK(tips.search().empty_fans == 2);
+  CHECK_FALSE(asks());
+  CHECK(tips.search().still_empty == 2);
+  tips.set_stress(turned(0.42), 4e6);
+  CHECK(asks());
+  CHECK_FALSE(any_breaks({tips.body.cells, tips.body.state}, {.mode = FractureMode::off},
+                         tips.scratch, {}));
+}
+
+TEST_CASE("something breaks where the search for fractures reaches a threshold, and only there",
+          "[fracture][waiting]") {
+  std::mt19937 random(41);
+  std::uniform_real_distribution<double> strength(2.97e6, 4.5e6);
+  int broken = 0;
+  for (int trial = 0; trial < 40; ++trial) {
+    Tension body = uniform_tension(kuhn_box({2, 2, 2}), Vec3::UnitZ(), 3e6);
+    for (double& xi : body.cells.strength) xi = strength(random);
+    FractureScratch scratch;
+    const bool asked = any_breaks({body.cells, body.state}, {}, scratch, {});
+    const FractureReport report = break_vertices({body.cells, body.state}, {}, scratch);
+    CHECK(asked == (report.reached > 0));
+    broken += asked;
+  }
+  CHECK(broken > 0);
+  CHECK(broken < 40);
+}

@@ -241,7 +241,7 @@ std::vector<Finding> warnings_on_the_way(const RunStatistics& statistics, const 
                          "cohesive forces of a sub-step missed their law by up to {:.2g} of the "
                          "opening at which they end",
                          statistics.ties.sum.residual),
-                     .remedy = "take a smaller impact.fraction"});
+                     .remedy = "raise contact.max_iterations"});
   }
   return found;
 }

@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <functional>
 
 #include "tests/mechanics/contact/contact_scene.hpp"
 
@@ -131,4 +132,86 @@ TEST_CASE("a block falls on a plane and leaves it as fast as with implicit sub-s
   CHECK(by_explicit > 0.5);
   CHECK(by_explicit <= 1);
   CHECK(by_explicit == Approx(rebound(false, 2e-6)).margin(0.03));
+}
+
+namespace {
+
+/// Takes a part of so many sub-steps that asks `ends` between them.
+ContactStepResult take_sub_steps(ContactScene& scene, double sub_step, std::uint32_t count,
+                                 const std::function<bool()>& ends) {
+  const auto neighbours = neighbours_of(scene.body.corners);
+  IntegratorSettings settings = scene.integrator;
+  settings.time_step = count * sub_step;
+  StepPart part = wave_of(settings.time_step);
+  part.sub_steps = count;
+  return advance_with_contact({scene.state, scene.obstacles, scene.memory},
+                              {.corners = scene.body.corners,
+                               .loads = scene.loads,
+                               .settings = settings,
+                               .part = part,
+                               .neighbours = neighbours,
+                               .measures_strain = true,
+                               .ends = &ends},
+                              scene.contact, {scene.mechanics, scene.scratch});
+}
+
+}  // namespace
+
+TEST_CASE("a part of many sub-steps goes as they go one by one", "[mechanics][waves]") {
+  const double sub_step = 1e-5;
+  const auto run = [&](std::uint32_t together) {
+    std::mt19937 random(34);
+    ContactScene scene = meeting(random, 2);
+    for (std::uint32_t k = 0; k < 1200; k += together) {
+      take_sub_steps(scene, sub_step, together, [] { return false; });
+    }
+    return scene;
+  };
+  const ContactScene each = run(1), together = run(8);
+  CHECK(together.state.time == Approx(each.state.time));
+  for (std::size_t c = 0; c < 3; ++c) {
+    const Component &a = each.state.components[c], &b = together.state.components[c];
+    CHECK((a.momentum - b.momentum).norm() < 0.05 * a.mass * 2);
+    CHECK((a.centre - b.centre).norm() < 2e-4);
+    CHECK(a.orientation.angularDistance(b.orientation) < 5e-3);
+  }
+}
+
+TEST_CASE("a part ends where it is told to, with the stresses that were shown",
+          "[mechanics][waves]") {
+  std::mt19937 random(35);
+  ContactScene scene = meeting(random, 2);
+  const double sub_step = 1e-5;
+  for (int k = 0; k < 60; ++k) take_sub_steps(scene, sub_step, 16, [] { return false; });
+  const auto strain = [&] { return strain_energy(scene.state); };
+  const Vec3 p = scene.total_momentum(), l = scene.total_angular_momentum();
+  const double start = scene.state.time, before = strain();
+  std::vector<double> asked_at;
+  std::vector<Mat3> shown;
+  const std::function<bool()> third = [&] {
+    asked_at.push_back(scene.state.time);
+    shown = scene.state.elements.stress;
+    return asked_at.size() == 3;
+  };
+  const ContactStepResult result = take_sub_steps(scene, sub_step, 16, third);
+  CHECK(result.sub_steps == 3);
+  CHECK(scene.state.time == Approx(start + 3 * sub_step));
+  REQUIRE(asked_at.size() == 3);
+  CHECK(asked_at[0] == Approx(start + sub_step));
+  CHECK(asked_at[2] == Approx(scene.state.time));
+  CHECK((scene.total_momentum() - p).norm() < 1e-12);
+  CHECK((scene.total_angular_momentum() - l).norm() < 1e-10);
+  double largest = 0, off = 0, change = 0;
+  for (std::size_t t = 0; t < shown.size(); ++t) {
+    const Component& c = scene.state.components[scene.state.elements.component[t].index()];
+    if (c.rigid) continue;
+    largest = std::max(largest, shown[t].norm());
+    off = std::max(off, (shown[t] - scene.state.elements.stress[t]).norm());
+  }
+  CHECK(largest > 0);
+  CHECK(off < 1e-6 * largest);
+  for (const Component& c : scene.state.components) {
+    change += c.strain_change.after - c.strain_change.before;
+  }
+  CHECK(change == Approx(strain() - before).margin(1e-12 * before));
 }

@@ -236,3 +236,29 @@ TEST_CASE("held nodes go on with their support, which does the work that is miss
   CHECK(body.work.supports > 0);
   CHECK(body.work.inner + body.work.supports == Approx(kinetic_end - kinetic_start).epsilon(1e-9));
 }
+
+TEST_CASE("bodies that are packed already move as bodies that are packed again",
+          "[mechanics][waves]") {
+  std::mt19937 random(21);
+  const int order = GENERATE(1, 2);
+  Packed kept = deformed_block(order, 0.01, random);
+  kept.pack(0.1);
+  place(kept.state, ComponentId{0},
+        {.orientation = random_rotation(random), .velocity = {1, 2, 3}});
+  deform(kept.state, 0.02, random);
+  Packed fresh{kept.body, kept.state};
+  kept.pack(0.1);
+  fresh.pack(0.1);
+  kept.take_step(0.01);
+  fresh.take_step(0.01);
+  CHECK(kept.waves.nodes.position == fresh.waves.nodes.position);
+  CHECK(kept.waves.nodes.velocity == fresh.waves.nodes.velocity);
+  // What changes what is packed has it packed again.
+  kept.pack(0.2);
+  fresh.waves = {};
+  fresh.pack(0.2);
+  CHECK(kept.waves.nodes.damping == fresh.waves.nodes.damping);
+  kept.state.vertices.mass[3] *= 2;
+  kept.pack(0.2);
+  CHECK(kept.waves.nodes.mass[3] == kept.state.vertices.mass[3]);
+}
