@@ -11,7 +11,7 @@ enum class ImpactScheme {
   /// One implicit step each, contact through the compliance of the bodies (`WaveScheme`).
   implicit,
   /// Central differences on lumped masses in as many steps as are stable, contact by impulses in
-  /// each of them (mechanics/waves/).
+  /// each of them (mechanics/contact/waves/).
   central,
 };
 
