@@ -51,6 +51,7 @@ void prepare(FractureWork& work, const StepMembers& members) {
   FractureScratch& scratch = work.scratch;
   const Cells& cells = work.body.cells;
   const std::size_t vertices = cells.map.vertices();
+  work.under_way = first_under_way(cells.cracks, work.body.mechanics.time);
   look_at(scratch.rows, work.body.mechanics, members);
   if (work.settings.criterion == FractureCriterion::energy) look_for_cracks(scratch.cracked, cells);
   scratch.held.assign(cells.empty_fans.empty() ? 0 : vertices, 0);
@@ -79,6 +80,19 @@ bool stays_held(const FractureWork& work, const EmptyFan& empty) {
   return change <= changed_direction && work.test(empty.vertex) == ThresholdAnswer::reached;
 }
 
+/// With the criterion `energy`: `set_tip_strength` where a face at the vertex is cracked.
+void update_tip_strength(FractureWork& work, VertexId v) {
+  const bool by_energy = work.settings.criterion == FractureCriterion::energy;
+  if (by_energy && work.scratch.cracked[v.index()]) set_tip_strength(work, v);
+}
+
+/// The empty or refused fan of a vertex; null: it has none.
+EmptyFan* empty_fan_of(FractureWork& work, VertexId v) {
+  const std::vector<std::uint32_t>& held = work.scratch.held;
+  if (held.empty() || held[v.index()] == 0) return nullptr;
+  return &work.body.cells.empty_fans[held[v.index()] - 1];
+}
+
 /// The threshold of a vertex that is looked at. Those with empty or refused fans are not until
 /// their stress changes; then they are forgotten (a vertex of none, for `forget_released`).
 std::optional<double> threshold_of(FractureWork& work, VertexId v) {
@@ -87,16 +101,14 @@ std::optional<double> threshold_of(FractureWork& work, VertexId v) {
   if (work.settings.node_stress == NodeStress::fit) {
     work.report.unfitted += !scratch.node_stress.fit.patches[v.index()].fitted;
   }
-  const bool by_energy = work.settings.criterion == FractureCriterion::energy;
-  if (by_energy && scratch.cracked[v.index()]) set_tip_strength(work, v);
-  if (!scratch.held.empty() && scratch.held[v.index()] > 0) {
-    EmptyFan& empty = work.body.cells.empty_fans[scratch.held[v.index()] - 1];
-    if (stays_held(work, empty)) {
+  update_tip_strength(work, v);
+  if (EmptyFan* empty = empty_fan_of(work, v)) {
+    if (stays_held(work, *empty)) {
       scratch.rows[v.index()] = 0;
       ++work.report.still_empty;
       return std::nullopt;
     }
-    empty.vertex = VertexId::none();
+    empty->vertex = VertexId::none();
   }
   return work.strength(v);
 }
@@ -119,15 +131,10 @@ struct FirstCandidate {
   bool& found;
 
   std::optional<double> threshold(VertexId v) {
-    const FractureScratch& scratch = work.scratch;
-    if (found || !scratch.rows[v.index()]) return std::nullopt;
-    const bool by_energy = work.settings.criterion == FractureCriterion::energy;
-    if (by_energy && scratch.cracked[v.index()]) set_tip_strength(work, v);
-    if (!scratch.held.empty() && scratch.held[v.index()] > 0 &&
-        stays_held(work, work.body.cells.empty_fans[scratch.held[v.index()] - 1])) {
-      return std::nullopt;
-    }
-    return work.strength(v);
+    if (found || !work.scratch.rows[v.index()]) return std::nullopt;
+    update_tip_strength(work, v);
+    const EmptyFan* empty = empty_fan_of(work, v);
+    return empty && stays_held(work, *empty) ? std::nullopt : std::optional(work.strength(v));
   }
   void split(VertexId v, const PrincipalTension& tension) {
     found = crack_of(work, vertex_star(work.body.cells.map, v), tension).step != CrackStep::waits;
@@ -309,7 +316,6 @@ bool any_breaks(BreakableBody body, const FractureSettings& settings, FractureSc
   FractureWork work{body, settings, scratch, nobody,
                     element_stress(body.cells, body.mechanics, settings.node_stress)};
   prepare(work, members);
-  work.under_way = first_under_way(body.cells.cracks, body.mechanics.time);
   bool found = false;
   find_fractures(work.report, scratch.node_stress, body.cells, work.elements, settings,
                  FirstCandidate{work, found});
@@ -324,7 +330,6 @@ FractureReport break_vertices(BreakableBody body, const FractureSettings& settin
   FractureWork work{body, settings, scratch, watch,
                     element_stress(body.cells, body.mechanics, settings.node_stress)};
   prepare(work, members);
-  work.under_way = first_under_way(body.cells.cracks, body.mechanics.time);
   work.untested = untested;
   work.pieces_before = body.cells.labels.size.size();
   find_fractures(work.report, scratch.node_stress, body.cells, work.elements, settings,

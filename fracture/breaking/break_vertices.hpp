@@ -67,8 +67,8 @@ FractureReport break_vertices(BreakableBody body, const FractureSettings& settin
                               FractureScratch& scratch, const StepMembers& members = {},
                               const FanWatch& watch = {}, double untested = 0);
 
-/// Whether `break_vertices` would look for a crack at any vertex of `members`. What waits at a
-/// flank or for its stress to change is left out. O(|T|).
+/// Whether `break_vertices` would look for a crack at any vertex of `members`. Vertices that wait,
+/// at a flank or for their stress to change, are left out. O(|T|).
 bool any_breaks(BreakableBody body, const FractureSettings& settings, FractureScratch& scratch,
                 const StepMembers& members);
 

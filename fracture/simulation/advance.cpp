@@ -111,11 +111,6 @@ StepMembers breakable(const StepPlan& plan, const SimulationState& s, std::vecto
   return members;
 }
 
-/// s: of a part as it was taken.
-double length_of(const PlannedPart& part, const ContactStepResult& taken) {
-  return part.length * taken.sub_steps / part.part.sub_steps;
-}
-
 bool is_same(const Pose& a, const Pose& b) {
   return a.centre == b.centre && a.orientation.coeffs() == b.orientation.coeffs();
 }
@@ -156,11 +151,10 @@ StepReport advance(Simulation& sim, const StepObserver& observe) {
   begin_rubble(report, sim);
   StepPlan plan = plan_step(scene, s, scratch);
   double untested = 0;  // s
-  std::vector<char> unbroken;
-  const auto breakable_now = [&] { return breakable(plan, s, unbroken); };
+  std::vector<char> unbroken;  // rows of `breakable`
   const auto anything_breaks = [&] {
     return any_breaks({s.cells, s.mechanics}, with_budget_left(scene, s), scratch.fracture,
-                      breakable_now());
+                      breakable(plan, s, unbroken));
   };
   const std::function<bool()> ends = std::ref(anything_breaks);
   while (const std::optional<PlannedPart> part = next_part(plan, scene, s)) {
@@ -182,7 +176,7 @@ StepReport advance(Simulation& sim, const StepObserver& observe) {
         add_part(report.ties, taken.ties);
         note_touches(touched, s.mechanics, taken.contacts);
         report.time = s.mechanics.time;
-        if (observe) observe(sim, {part->part.deformation, length_of(*part, taken), taken.report});
+        if (observe) observe(sim, {part->part.deformation, taken.length, taken.report});
       }
     }
     note_part(plan, *part, taken, scene, s);
@@ -201,7 +195,7 @@ StepReport advance(Simulation& sim, const StepObserver& observe) {
         report.releases.push_back(std::move(released));
       }
     }
-    untested += length_of(*part, taken);
+    untested += part->moves ? taken.length : part->length;
     if (!part->breaks) continue;
 
     FractureReport found;
@@ -209,8 +203,8 @@ StepReport advance(Simulation& sim, const StepObserver& observe) {
     {
       const StageTimer timer(report, Stage::fracture);
       found = break_members({s.cells, s.mechanics}, s.script, with_budget_left(scene, s),
-                            {s.step + 1, report.parts}, breakable_now(), scratch.fracture, untested,
-                            clock.watch());
+                            {s.step + 1, report.parts}, breakable(plan, s, unbroken),
+                            scratch.fracture, untested, clock.watch());
       untested = 0;
       report.departed = s.script && s.script->departure;
     }

@@ -77,8 +77,7 @@ ContactStepResult take_part(StepReport& report, SimulationState& s, const PartIn
       advance_with_contact({s.mechanics, s.obstacles, s.contact}, input, part.scene.contact,
                            {scratch.mechanics, scratch.contact});
   if (!result.adopted) return result;
-  // An explicit wave may have ended before its length.
-  settings.time_step *= static_cast<double>(result.sub_steps) / part.plan.part.sub_steps;
+  settings.time_step = result.length;
   const AdoptedPart adopted{s, input, result, scratch.before};
   support_impulses(scratch.supports, adopted);
   add_part_momentum(report.momentum, adopted, scratch.supports);

@@ -202,7 +202,8 @@ bool has_calmed(const StepPlan& plan, const SimulationState& s, const Component&
          !deforms_by(s.mechanics, component, plan.threshold[component.id.index()]);
 }
 
-/// After sub-steps: windows whose waves have died away close, those of what was struck open.
+/// After sub-steps: windows close once their waves have died away, and struck components open
+/// theirs.
 void note_sub_steps(StepPlan& plan, std::uint32_t count, const Blows& blows, SimulationState& s) {
   const double length = count * s.impact.sub_step;
   plan.impact.sub_steps += count;

@@ -251,6 +251,7 @@ ContactStepResult advance_with_contact(const ContactWorld& world, const StepInpu
     if (step.is_explicit()) take_off_strain(result.status, world.state, input);
     result.trace = std::move(step.trace);
     result.sub_steps = step.sub_steps;
+    result.length = step.h();
     end_step(step, result.moments, result.status.outcome == StepOutcome::fine);
     if (step.report.candidates > 0 || !step.ties.empty()) {
       result.touched = step.scratch.blows.component_touched;

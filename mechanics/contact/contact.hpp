@@ -58,8 +58,9 @@ struct ContactStepResult {
   /// Rows = ComponentId, obstacles: who got impulses, be they taken back; empty: nobody.
   std::vector<char> touched, ball_touched;
   std::optional<WaveTrace> trace;  ///< of explicit steps
-  /// How many of `StepPart::sub_steps` were taken.
+  /// How many of `StepPart::sub_steps` were taken, and the length of the part then, s.
   std::uint32_t sub_steps = 1;
+  double length = 0;
   Blows blows;  ///< only where `StepPart::impact` is given
   /// False: there are blows ahead, or pieces would pass each other; nothing was done.
   bool adopted = true;

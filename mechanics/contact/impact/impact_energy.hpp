@@ -52,7 +52,7 @@ class ImpactEnergy {
     double kinetic = 0, gravity = 0;     ///< J
     std::optional<double> strain;        ///< J, once it is asked for
     double fastest = 0;                  ///< m/s, of any surface against `velocity`
-    Vec3 velocity = Vec3::Zero();        ///< m/s, of what it touches or its mass centre
+    Vec3 velocity = Vec3::Zero();        ///< m/s, of its ground, else of its mass centre
   };
 
   void join(std::uint32_t a, std::uint32_t b);
@@ -70,7 +70,7 @@ class ImpactEnergy {
   /// Whether all the energy of a node's island is at least `least`, J. Motion is summed first: it
   /// is often enough, and costs less than strain.
   bool island_reaches(std::uint32_t node, double least);
-  /// The same of what all islands that meet a held component could bring it, and what is in it.
+  /// The same of a held component: its own energy and that of all islands that meet it.
   bool held_reaches(std::uint32_t node, double least);
   double pair_bound(std::uint32_t node);
 

@@ -80,7 +80,7 @@ bool ends_here(WaveScratch& wave, ContactStep& step, double elapsed) {
   return ends;
 }
 
-/// The stresses with which the part began: what follows compares with them.
+/// The stresses with which the part began: `adopt` measures the change of strain energy from them.
 void put_back_stresses(WaveScratch& wave, MechanicsState& state) {
   if (wave.stress.empty()) return;
   state.elements.stress.swap(wave.stress);

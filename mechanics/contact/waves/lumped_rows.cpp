@@ -167,7 +167,7 @@ void turn_rigid(LumpedContacts& contacts, double least) {
     if (body.turned.norm() < least) continue;
     any = true;
     const Vec3 momentum = body.angular_momentum + body.twist;
-    // The spin was taken as constant: what it changes by without a torque, to second order.
+    // The spin was taken as constant: its change without a torque, to second order.
     const Vec3 gyration = body.inverse_inertia * body.spin.cross(momentum);
     const double half = 0.5 * body.since_turn * body.since_turn;
     const Eigen::Quaterniond by = rotation_of(body.turned - half * gyration);

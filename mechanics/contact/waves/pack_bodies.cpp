@@ -95,7 +95,7 @@ double inverse_mass_of(const MechanicsState& state, VertexId v) {
   return is_held_whole(state, v) ? 0 : 1 / state.vertices.mass[v.index()];
 }
 
-/// What a body's nodes and elements are; how they move is read in each part (`read_motion`).
+/// The nodes and elements of a body. Each part reads their motion (`read_motion`).
 void add_body(WaveBodies& waves, const MechanicsState& state, const StepInput& input,
               const Component& component) {
   WaveNodes& nodes = waves.nodes;

@@ -143,7 +143,7 @@ TEST_CASE("a refused fan is counted once while the stress stays", "[fracture][wa
   CHECK(break_vertices({body.cells, body.state}, settings, scratch).refused_fans == 3);
 }
 
-TEST_CASE("whether anything breaks is asked without a split, and leaves out what waits",
+TEST_CASE("the question whether anything breaks splits nothing, and leaves out vertices that wait",
           "[fracture][waiting]") {
   TwoTips tips;
   const auto asks = [&] {

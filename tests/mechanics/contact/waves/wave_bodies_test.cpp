@@ -253,7 +253,7 @@ TEST_CASE("bodies that are packed already move as bodies that are packed again",
   fresh.take_step(0.01);
   CHECK(kept.waves.nodes.position == fresh.waves.nodes.position);
   CHECK(kept.waves.nodes.velocity == fresh.waves.nodes.velocity);
-  // What changes what is packed has it packed again.
+  // A new viscosity or mass has the body packed again.
   kept.pack(0.2);
   fresh.waves = {};
   fresh.pack(0.2);
