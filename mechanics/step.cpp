@@ -84,6 +84,8 @@ void predict_component(MechanicsScratch& scratch, MechanicsState& state, const S
   SUNDER_ASSERT(
       input.part.deformation == Deformation::whole || integrator == Integrator::floating_frame,
       "predict: only floating_frame takes parts of steps");
+  SUNDER_ASSERT(input.part.deformation != Deformation::wave,
+                "predict: explicit steps write the bodies that deform");
   switch (integrator) {
     case Integrator::floating_frame:
       step.system = &prepared_system(state, input, component);
@@ -199,8 +201,7 @@ void prepare(MechanicsState& state, const StepInput& input) {
   for_each_living(state, input.members, [&](const Component& component) {
     if (component.rigid || !deforms(component.rung)) return;
     const ComponentSystem* system = state.systems.present[component.id.index()].get();
-    const bool wave = input.part.deformation == Deformation::wave;
-    if (system && (wave ? system->wave : system->step).factored) return;
+    if (system && system->step.factored) return;
     missing.push_back(&component);
     vertices += component.vertices.size();
     most = std::max(most, component.vertices.size());

@@ -166,7 +166,6 @@ constexpr OutputColumn report_list[] = {
     {"ties.releases", "", "Number of releases.", is_cohesive},
     {"ties.most_ties", "", "Most ties at once.", is_cohesive},
     {"ties.most_opening", "", "Most ties that opened farther in one solve.", is_cohesive},
-    {"ties.iterations", "", "Back-substitutions for ties in sub-steps.", is_cohesive},
     {"ties.residual", "",
      "Largest error of the softening law in a sub-step, over the final opening.", is_cohesive},
     {"ties.work", "J", "Work done on ties.", is_cohesive},

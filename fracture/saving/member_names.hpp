@@ -66,8 +66,7 @@ constexpr auto member_names(const ContactSettings*) {
                "max_iterations", "tolerance", "max_passes", "max_contacts_per_pair");
 }
 constexpr auto member_names(const ImpactSettings*) {
-  return names("window", "scheme", "fraction", "negligible", "by_energy", "at_once",
-               "max_sub_steps");
+  return names("window", "negligible", "by_energy", "at_once", "max_sub_steps");
 }
 constexpr auto member_names(const FractureSettings*) {
   return names("mode", "max_fans", "max_new_pieces", "budget_time", "node_stress", "test",
@@ -127,7 +126,7 @@ constexpr auto member_names(const Component*) {
 constexpr auto member_names(const StrainChange*) { return names("before", "after", "difference"); }
 constexpr auto member_names(const ComponentSystem*) {
   return names("order", "free_count", "held_scalars", "shape", "stiffness", "analysis",
-               "factor_row", "border", "border_age", "step", "wave", "tetrahedra", "corners",
+               "factor_row", "border", "border_age", "step", "tetrahedra", "corners",
                "edge_nodes", "row_vertex");
 }
 constexpr auto member_names(const RestShape*) {

@@ -13,7 +13,7 @@
 namespace sunder {
 
 /// Version of the saved files; it rises with every change of their content.
-inline constexpr std::uint32_t saved_state_format = 20;
+inline constexpr std::uint32_t saved_state_format = 21;
 
 /// Saves a whole simulation between two steps: its scene and everything that evolves. That includes
 /// the factors of its matrices, because their rounding depends on the step in which they were made.

@@ -164,16 +164,6 @@ Chosen push_out(const Outlook& o) {
       fmt::format("1e-3 m/s, limited to 1e-3 to 0.2 of the cell size {:.2g} m per second", o.cell)};
 }
 
-Chosen fraction(const Outlook& o) {
-  if (!o.breaks()) {
-    return {
-        by(o, 1.0 / 4, 1.0 / 16, 1.0 / 32),
-        "relative to L/c; 1/4, 1/16 and 1/32 give the peak stress of an impact to 7, 1.4 and 1 %"};
-  }
-  return {by(o, 1.0 / 4, 1.0 / 8, 1.0 / 32),
-          blow_of(o) + "; 1/8 of L/c gives the number of cracks to 20 %, in half the time of 1/16"};
-}
-
 Chosen negligible(const Outlook& o) {
   const double share = by(o, 1, 0.1, 0.01);
   return {share,
@@ -208,7 +198,7 @@ constexpr std::array<std::string_view, 2> rubble_words = {"off", "certified"};
 constexpr std::array<std::string_view, 2> kernel_words = {"dense", "lcc"};
 
 // A key more is a line more, and `chosen` in its description.
-constexpr std::array<Rule, 11> rules = {{
+constexpr std::array<Rule, 10> rules = {{
     {"contact.max_iterations", [](Scene& s, double v) { s.contact.max_iterations = int(v); },
      iterations},
     {"contact.max_passes", [](Scene& s, double v) { s.contact.max_passes = int(v); }, passes},
@@ -219,7 +209,6 @@ constexpr std::array<Rule, 11> rules = {{
     {"contact.max_contacts_per_pair",
      [](Scene& s, double v) { s.contact.max_contacts_per_pair = static_cast<std::uint32_t>(v); },
      contacts},
-    {"impact.fraction", [](Scene& s, double v) { s.impact.fraction = v; }, fraction},
     {"impact.negligible", [](Scene& s, double v) { s.impact.negligible = v; }, negligible},
     {"ladder.rubble",
      [](Scene& s, double v) { s.ladder.rubble = v == 1 ? RubbleMode::certified : RubbleMode::off; },

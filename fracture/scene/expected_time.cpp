@@ -277,7 +277,7 @@ class Forecast {
     return contact.max_iterations / 40.0 * (contact.max_passes > 1 ? 1 + size / of_passes : 1);
   }
 
-  /// s: the shortest that the blows on the bodies ask for (mechanics/contact/impact/impact.cpp).
+  /// s: the shortest that the blows on the bodies ask for (`Blows::sub_step`).
   double sub_step() const {
     double step = scene_.integrator.time_step;
     if (!scene_.impact.window || scene_.integrator.integrator != Integrator::floating_frame ||
@@ -288,8 +288,7 @@ class Forecast {
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
       const BodyMeasures& m = measures_[b];
       if (bodies_[b].broken == never) continue;
-      wanted =
-          std::min(wanted, std::max(scene_.impact.fraction * m.extent, m.cell / 2) / m.wave_speed);
+      wanted = std::min(wanted, m.cell / m.wave_speed);
     }
     while (step > wanted) step /= 2;
     return step;

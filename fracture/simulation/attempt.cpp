@@ -38,7 +38,7 @@ bool take_back(const Attempt& attempt, StepReport& report, SimulationState& s,
       body, input.scene.fracture, scratch, input.members, most_overstress);
   struck.insert(struck.end(), over.begin(), over.end());
   sort_unique(struck);
-  Blows blows = struck_by_cracks(std::move(struck), input.scene, s.mechanics);
+  Blows blows = struck_by_cracks(std::move(struck), s.mechanics);
   if (blows.struck.empty()) return false;  // what is rigid has no window that could open
   s.mechanics.vertices = attempt.vertices;
   s.mechanics.components = attempt.components;

@@ -20,6 +20,10 @@ namespace {
 /// push go to the far end and come back once.
 constexpr double waves_stay = 2;
 
+/// Sub-steps of a step at most that struck components are taken through whole, with no way ahead of
+/// the blow and none after the last window.
+constexpr double most_throughout = 32;
+
 /// Parts of a step at most in which pieces would pass each other in longer ones.
 constexpr std::uint32_t most_divisions = 256;
 
@@ -28,8 +32,6 @@ bool has_windows(const Scene& scene) {
          scene.contact.method == ContactMethod::impulses;
 }
 
-bool is_explicit(const Scene& scene) { return scene.impact.scheme == ImpactScheme::central; }
-
 bool is_open(const ImpactWindow& window, std::size_t component) {
   return window.quiet[component] != ImpactWindow::closed;
 }
@@ -37,21 +39,13 @@ bool is_open(const ImpactWindow& window, std::size_t component) {
 /// Opens windows for what is struck. The first one decides the sub-step: the step over a power of
 /// two, so that runs whose steps differ by such a power take the same sub-steps; ties may ask for a
 /// shorter one later. In the midst of the members' step what is left of it is counted anew.
-void open(StepPlan& plan, ImpactWindow& window, const Blows& blows, const Scene& scene,
-          const MechanicsState& m) {
+void open(StepPlan& plan, ImpactWindow& window, const Blows& blows, const Scene& scene) {
   const double time_step = scene.integrator.time_step;
-  double longest = blows.sub_step;
-  // Explicit steps resolve each cell: the stress criterion looks once in a wave's way through one.
-  if (is_explicit(scene)) {
-    for (ComponentId id : blows.struck) {
-      longest = std::min(longest, m.components[id.index()].cell_travel);
-    }
-  }
   const bool refines = scene.fracture.crack == CrackMode::cohesive;
   // No computer takes more sub-steps than that; their count stays exact.
   constexpr int most_halvings = 40;
   double sub_step = time_step;
-  for (int k = 0; k < most_halvings && sub_step > longest; ++k) sub_step /= 2;
+  for (int k = 0; k < most_halvings && sub_step > blows.sub_step; ++k) sub_step /= 2;
   if (open_windows(window).empty() || (refines && sub_step < window.sub_step)) {
     if (plan.phase == StepPlan::Phase::members) {
       sub_step = std::min(sub_step, window.sub_step);
@@ -63,13 +57,6 @@ void open(StepPlan& plan, ImpactWindow& window, const Blows& blows, const Scene&
     plan.impact.opened += !is_open(window, id.index());
     window.quiet[id.index()] = 0;
   }
-}
-
-/// s: as long as a blow allows, and while ties open no more than a wave's way through a cell.
-double crack_sub_step(const Scene& scene, const MechanicsState& m, const Component& c) {
-  const double struck = wave_sub_step(m, c, scene.impact);
-  if (scene.fracture.crack != CrackMode::cohesive) return struck;
-  return std::min(struck, c.cell_travel);
 }
 
 /// Where cracks take energy, not every peak of a wave front decides: a third of the viscosity that
@@ -125,7 +112,7 @@ void begin_members(StepPlan& plan, const Scene& scene, SimulationState& s) {
   take_the_members(plan, s);
   s.mechanics.time = plan.start;
   const double count = std::round(scene.integrator.time_step / s.impact.sub_step);
-  plan.throughout = count <= waves_stay / scene.impact.fraction;
+  plan.throughout = count <= most_throughout;
   plan.left = whole_number<std::uint64_t>(count);
   if (plan.throughout) {
     // Quiet begins with the blow, which lies ahead.
@@ -134,8 +121,8 @@ void begin_members(StepPlan& plan, const Scene& scene, SimulationState& s) {
   if (!plan.throughout) plan.still = sub_steps_before(plan.blow, plan.left, s.impact.sub_step);
 }
 
-/// Explicit sub-steps: how many at once, and for how long their contacts serve.
-void plan_explicit(StepPart& wave, StepPlan& plan, const Scene& scene, SimulationState& s) {
+/// How many sub-steps are taken at once, and for how long their contacts serve.
+void plan_waves(StepPart& wave, StepPlan& plan, const Scene& scene, SimulationState& s) {
   stiffen_members(plan, s);
   if (plan.served == 0) {
     plan.served = sub_steps_of_contacts(plan, s, time_left(plan, s));
@@ -169,8 +156,7 @@ PlannedPart next_of_members(StepPlan& plan, const Scene& scene, SimulationState&
   if (fine && !at_once) {
     StepPart wave{Deformation::wave, 0,           &scene.impact,        plan.strength,
                   plan.threshold,    wave_viscosity(scene)};
-    wave.is_explicit = is_explicit(scene);
-    if (wave.is_explicit) plan_explicit(wave, plan, scene, s);
+    plan_waves(wave, plan, scene, s);
     return {wave, wave.sub_steps * sub_step};
   }
   unstiffen_members(s);
@@ -225,7 +211,7 @@ void note_sub_steps(StepPlan& plan, std::uint32_t count, const Blows& blows, Sim
   }
 }
 
-/// Parts of explicit waves are twice as long as the one before, unless that ended early. Supports
+/// Parts of waves are twice as long as the one before, unless that ended early. Supports
 /// that are raised have one velocity in a part: then each has one sub-step.
 void note_length(StepPlan& plan, const PlannedPart& part, const ContactStepResult& result,
                  const Scene& scene, const MechanicsState& m) {
@@ -253,7 +239,7 @@ void note_members(StepPlan& plan, const PlannedPart& part, const ContactStepResu
       if (result.adopted) {
         plan.left = 0;
       } else {
-        open(plan, s.impact, result.blows, scene, s.mechanics);
+        open(plan, s.impact, result.blows, scene);
         plan.still = sub_steps_before(result.blows.time, plan.left, s.impact.sub_step);
       }
   }
@@ -270,14 +256,13 @@ void finish_members(StepPlan& plan, const Scene& scene, SimulationState& s) {
 
 }  // namespace
 
-Blows struck_by_cracks(std::vector<ComponentId> components, const Scene& scene,
-                       const MechanicsState& m) {
+Blows struck_by_cracks(std::vector<ComponentId> components, const MechanicsState& m) {
   Blows cracked;
   for (const ComponentId id : components) {
     const Component& c = m.components[id.index()];
     if (c.rigid) continue;
     cracked.struck.push_back(id);
-    cracked.sub_step = std::min(cracked.sub_step, crack_sub_step(scene, m, c));
+    cracked.sub_step = std::min(cracked.sub_step, c.cell_travel);
   }
   return cracked;
 }
@@ -371,7 +356,7 @@ void note_part(StepPlan& plan, const PlannedPart& part, const ContactStepResult&
     return;
   }
   // The others go first, as long as no blow makes members of them.
-  open(plan, s.impact, result.blows, scene, s.mechanics);
+  open(plan, s.impact, result.blows, scene);
   plan.blow =
       plan.phase == Phase::whole ? result.blows.time : std::min(plan.blow, result.blows.time);
   if (plan.phase == Phase::whole) begin_others(plan, s);
@@ -381,8 +366,8 @@ void note_fans(StepPlan& plan, const Scene& scene, SimulationState& s,
                std::span<const FanEvent> fans) {
   if (!has_windows(scene) || scene.fracture.crack == CrackMode::paper) return;
   s.impact.quiet.resize(s.mechanics.components.size(), ImpactWindow::closed);
-  const Blows cracked = struck_by_cracks(cracked_by(fans, s.mechanics), scene, s.mechanics);
-  if (!cracked.struck.empty()) open(plan, s.impact, cracked, scene, s.mechanics);
+  const Blows cracked = struck_by_cracks(cracked_by(fans, s.mechanics), s.mechanics);
+  if (!cracked.struck.empty()) open(plan, s.impact, cracked, scene);
 }
 
 }  // namespace sunder

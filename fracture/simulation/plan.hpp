@@ -25,8 +25,7 @@ void note_part(StepPlan& plan, const PlannedPart& part, const ContactStepResult&
                const Scene& scene, SimulationState& state);
 
 /// Components in which cracks run, ascending, none twice, as what a blow has struck.
-Blows struck_by_cracks(std::vector<ComponentId> components, const Scene& scene,
-                       const MechanicsState& mechanics);
+Blows struck_by_cracks(std::vector<ComponentId> components, const MechanicsState& mechanics);
 
 /// Opens windows for what fans have just cracked, after `rebuild_pieces` (`CrackMode::object`): a
 /// crack runs on with the waves, and a step whose load grows meanwhile would break what the crack

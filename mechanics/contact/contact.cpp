@@ -49,7 +49,7 @@ void move_obstacles(ContactStep& step) {
       if (!step.scratch.blows.ball_touched[k]) obstacle.velocity += fall;
     }
   }
-  if (step.is_wave()) move_wave_balls(step);
+  if (step.is_wave()) move_free_obstacles(step);
 }
 
 void count_contacts(ContactStep& step) {
@@ -109,22 +109,16 @@ void begin_step(ContactStep& step) {
   const std::size_t balls = step.pass.obstacles.size();
   scratch.blows.component_touched.assign(state.components.size(), 0);
   scratch.blows.ball_touched.assign(balls, 0);
-  scratch.blows.component_twist.assign(state.components.size(), Vec3::Zero());
-  scratch.blows.component_push.assign(state.components.size(), Vec3::Zero());
   scratch.blows.vertex_impulse.assign(state.vertices.size(), Vec3::Zero());
-  scratch.blows.ball_impulse.assign(balls, Vec3::Zero());
-  scratch.blows.ball_twist.assign(balls, Vec3::Zero());
   scratch.left_out.clear();
   note_loads(step);
   const StepInput& input = step.pass.input;
-  if (step.is_explicit()) return predict(step.pass.mechanics, state, input, {});
+  if (step.is_wave()) return predict(step.pass.mechanics, state, input, {});
   prepare(state, input);
   begin_ties(step);
   for_each_living(state, input.members, [&](const Component& component) {
-    if (scratch.blows.component_touched[component.id.index()]) return;
     predict(step.pass.mechanics, state, input, {&component.id, 1});
   });
-  if (step.is_wave() && !step.ties.empty()) predict_struck(step);
   if (input.members.component.empty()) return;
   // What keeps still is where it is; its rows are there also where no member lives.
   predict(step.pass.mechanics, state, input, {});
@@ -149,12 +143,11 @@ std::vector<Vec3> finish_explicit_contacts(ContactStep& step) {
 
 /// Before the bodies are adopted: what is without an impulse is no contact; moments of the others.
 std::vector<Vec3> finish_contacts(ContactStep& step) {
-  if (step.is_explicit()) return finish_explicit_contacts(step);
+  if (step.is_wave()) return finish_explicit_contacts(step);
   std::erase_if(step.contacts, [](const ContactPoint& c) { return c.impulse.isZero(0); });
   std::vector<Vec3> moments;
   for (const ContactPoint& c : step.contacts) {
-    moments.push_back(
-        (place_of_side_a(step.pass, c) + way_of_impulse(step.pass, c)).cross(c.impulse));
+    moments.push_back(place_of_side_a(step.pass, c).cross(c.impulse));
   }
   return moments;
 }
@@ -221,17 +214,17 @@ ContactStepResult advance_with_contact(const ContactWorld& world, const StepInpu
                    {},
                    {}};
   begin_step(step);
-  if (!step.is_explicit()) predict_balls(step);
+  if (!step.is_wave()) predict_balls(step);
   ContactStepResult result;
   if (settings.method == ContactMethod::penalty) {
     push_by_penalty(step);
     predict_balls(step);
   } else {
     update_partners(world.memory, step.scratch.detect, paths_of(step));
-    if (step.is_explicit()) {
+    if (step.is_wave()) {
       take_explicit_part(step);
     } else {
-      if (!step.is_wave()) remember_start(step);
+      remember_start(step);
       result.adopted = resolve(step);
     }
     result.passes = result.adopted && has_passing(step);
@@ -239,7 +232,7 @@ ContactStepResult advance_with_contact(const ContactWorld& world, const StepInpu
     if (!result.adopted) put_back(step);
   }
   if (result.adopted) {
-    result.ties = step.is_explicit() ? finish_explicit_ties(step) : finish_ties(step);
+    result.ties = step.is_wave() ? finish_explicit_ties(step) : finish_ties(step);
     count_contacts(step);
     if (step.is_wave() && input.part.impact) feel_blows(step);
     // Where ties open, waves run: as if it were struck.
@@ -248,7 +241,7 @@ ContactStepResult advance_with_contact(const ContactWorld& world, const StepInpu
     sort_unique(step.blows.struck);
     result.moments = finish_contacts(step);
     result.status = adopt(world.state, scratch.mechanics, input);
-    if (step.is_explicit()) take_off_strain(result.status, world.state, input);
+    if (step.is_wave()) take_off_strain(result.status, world.state, input);
     result.trace = std::move(step.trace);
     result.sub_steps = step.sub_steps;
     result.length = step.h();

@@ -12,6 +12,7 @@
 #include "mechanics/contact/impact/impact.hpp"
 #include "mechanics/contact/shapes/obstacle.hpp"
 #include "mechanics/contact/waves/wave_work.hpp"
+#include "mechanics/state/impulse.hpp"
 #include "mechanics/step.hpp"
 
 namespace sunder {
@@ -43,6 +44,7 @@ struct ContactStepScratch {
 struct WaveTrace {
   std::vector<Vec3> weight_place;       ///< row = ComponentId, m
   std::vector<Vec3> ball_weight_place;  ///< row = obstacle, m
+  std::vector<Impulse> loads;           ///< row = ComponentId, about the origin: of surface loads
   WaveWork work;
   RowWork contact;
   double bonds = 0;  ///< J, taken from motion by bonds beyond their law

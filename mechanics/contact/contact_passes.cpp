@@ -25,7 +25,6 @@ double row_error(const Constraint& row) {
 void predict_balls(ContactStep& step) {
   const std::vector<Obstacle>& obstacles = step.pass.obstacles;
   step.scratch.ball_end.resize(obstacles.size());
-  if (step.is_wave()) return predict_wave_balls(step);
   const double h = step.h();
   for (std::size_t k = 0; k < obstacles.size(); ++k) {
     if (!obstacles[k].mass) continue;
@@ -75,14 +74,13 @@ double measure_contact(const ContactStep& step, const ContactPoint& contact, Con
 /// Gaps and slips of the rows at the predicted end of the step. Gives the largest error among the
 /// contacts: an overlap, or an impulse where there is a gap.
 double measure_rows(ContactStep& step) {
-  if (step.is_wave()) return measure_wave_rows(step);
   const StepPaths paths = paths_of(step);
   double worst = 0;
   for (std::size_t k = 0; k < step.contacts.size(); ++k) {
     const ContactPoint& contact = step.contacts[k];
     Constraint& row = step.scratch.bodies.rows[k];
     const double error = k < step.tied_rows
-                             ? measure_tie(row, step.ties[k], contact.impulse, paths, {})
+                             ? measure_tie(row, step.ties[k], contact.impulse, paths)
                              : measure_contact(step, contact, row, paths);
     worst = std::max(worst, error);
   }
@@ -92,12 +90,10 @@ double measure_rows(ContactStep& step) {
 /// Solves, hands the changes on, and predicts all bodies that were touched.
 void solve_pass(ContactStep& step) {
   ContactBodies& bodies = step.scratch.bodies;
-  // With a unit step, displacements are velocities.
-  const double over = step.is_wave() ? step.h() : 1;
   const SolveOutcome outcome =
       solve_contacts(bodies.rows, bodies.bodies,
-                     {step.is_wave() ? 1 : step.h(), step.report.tolerated / over,
-                      step.settings.max_iterations, step.pass.input.hurry, !step.is_wave()});
+                     {step.h(), step.report.tolerated, step.settings.max_iterations,
+                      step.pass.input.hurry, true});
   step.report.iterations += outcome.iterations;
   step.report.converged = step.report.converged && outcome.converged;
   step.report.force_error = outcome.impulse / step.h();
@@ -107,12 +103,8 @@ void solve_pass(ContactStep& step) {
     step.scratch.change[k] = bodies.rows[k].impulse - step.contacts[k].impulse;
     step.contacts[k].impulse = bodies.rows[k].impulse;
   }
-  if (step.is_wave()) {
-    apply_wave_changes(step);
-  } else {
-    apply_changes(step.scratch.blows, bodies, step.scratch.change, step.pass);
-    predict_touched(step.scratch.blows, step.pass);
-  }
+  apply_changes(step.scratch.blows, bodies, step.scratch.change, step.pass);
+  predict_touched(step.scratch.blows, step.pass);
   predict_balls(step);
   ++step.report.passes;
 }
@@ -128,12 +120,11 @@ int most_passes(const ContactStep& step) {
 }
 
 /// The gap error that counts as none, m, where contacts would end `deepest` too deep. By default a ten
-/// thousandth of the depth that is never pushed out is as good as nothing, in the many short
-/// sub-steps of a wave a thousandth: pieces that lie in a heap are not solved for further. A finer
-/// tolerance, say 1e-8, gets its gaps.
+/// thousandth of the depth that is never pushed out is as good as nothing: pieces that lie in a heap
+/// are not solved for further. A finer tolerance, say 1e-8, gets its gaps.
 double tolerated_error(const ContactStep& step, double deepest) {
   const double asked = step.settings.tolerance / 1e-5;
-  const double nothing = (step.is_wave() ? 1e-3 : 1e-4) * step.settings.allowed_penetration;
+  const double nothing = 1e-4 * step.settings.allowed_penetration;
   double tolerated = std::max(step.settings.tolerance * deepest, asked * asked * nothing);
   for (std::size_t tie = 0; tie < step.tied_rows; ++tie) {
     tolerated = std::min(tolerated, tie_tolerance * opening_end_of(step.ties[tie]));
@@ -148,7 +139,7 @@ bool looks_further(ContactStep& step) {
     step.look = Look::all;
     return true;
   }
-  if (step.look == Look::overlaps || step.is_wave()) return false;
+  if (step.look == Look::overlaps) return false;
   if (!may_overlap(paths_of(step), step.settings)) return false;
   step.look = Look::overlaps;
   return true;
@@ -163,11 +154,10 @@ bool resolve(ContactStep& step) {
   // Bounds of ties follow the openings that a pass predicts.
   constexpr int passes_of_ties = 8;
   if (step.tied_rows > 0) most = std::max(most, passes_of_ties);
-  step.look = step.is_wave() ? Look::all : Look::resting;
+  step.look = Look::resting;
   bool has_seen_all = false;
   for (int k = 0;;) {
     const std::size_t before = step.contacts.size();
-    hold_ties(step, k == 0);
     const bool is_clear = meet(step, deepest);
     if (!is_clear && (k == 0 || !has_seen_all)) return false;
     has_seen_all = has_seen_all || step.look == Look::all || !step.has_left;

@@ -49,7 +49,6 @@ constexpr auto counters_of(const ContactReport*) {
 struct TieReport {
   std::uint32_t pairs = 0;    ///< rows in the solve
   std::uint32_t opening = 0;  ///< rows that opened farther than before
-  int iterations = 0;         ///< back-solves for ties in sub-steps
   /// Largest deviation of a tie from its law in a sub-step, over the opening at which the tie ends.
   double residual = 0;
   double work = 0;        ///< J, work on ties
@@ -62,7 +61,6 @@ struct TieReport {
 constexpr auto counters_of(const TieReport*) {
   return std::tuple{Counter{"most_ties", &TieReport::pairs, Adds::most},
                     Counter{"most_opening", &TieReport::opening, Adds::most},
-                    Counter{"iterations", &TieReport::iterations},
                     Counter{"residual", &TieReport::residual, Adds::most},
                     Counter{"work", &TieReport::work},
                     Counter{"dissipated", &TieReport::dissipated},

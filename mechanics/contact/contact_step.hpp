@@ -69,7 +69,6 @@ struct ContactStep {
   std::vector<TiePair> ties = {};
   std::vector<ContactPoint> tied = {};  ///< the same as contacts, with their impulses
   std::size_t tied_rows = 0;            ///< so many of `contacts`, the first ones, are ties
-  int tie_iterations = 0;
   double tie_residual = 0;
   Look look = Look::all;
   double ahead = 0;   ///< s: how far paths go, where that is not the part's length
@@ -82,7 +81,6 @@ struct ContactStep {
   double h() const { return pass.input.settings.time_step; }
   Deformation deformation() const { return pass.input.part.deformation; }
   bool is_wave() const { return deformation() == Deformation::wave; }
-  bool is_explicit() const { return is_wave() && pass.input.part.is_explicit; }
 };
 
 /// Pa, of the weakest vertex of a component. Needs: `StepPart::impact`.
@@ -97,7 +95,7 @@ std::array<Component*, 2> sides_of(const ContactStep& step, const ContactPoint& 
 /// Paths through the step as it is predicted now.
 StepPaths paths_of(const ContactStep& step);
 
-/// Keeps the values that a step changes before it is adopted. Not for waves, which are always taken.
+/// Keeps the values that a step changes before it is adopted. Explicit parts are always taken.
 void remember_start(ContactStep& step);
 
 /// A step that is not taken leaves nothing behind.
@@ -119,8 +117,7 @@ double target_gap(const ContactPoint& contact);
 /// How much farther out a contact that is too deep should come in the step, m.
 double push_out(const ContactStep& step, const ContactPoint& contact);
 
-/// How far the gap of a contact's row is from where it may be with the impulse as it is; m, m/s in
-/// a wave.
+/// m: how far the gap of a contact's row is from where it may be with the impulse as it is.
 double row_error(const Constraint& row);
 
 /// How much farther apart two sides end than predicted, m, once weight is taken as a blow at the
@@ -146,10 +143,6 @@ void take_new_contacts(ContactStep& step);
 /// Notes instead what of it ends too deep: there is no further pass. Gives the deepest of it, m.
 double leave_new_contacts(ContactStep& step);
 
-/// The same at the end of a sub-step of a wave: velocity times h, and the gap at its start less its
-/// target.
-double wave_gap_error(const ContactStep& step, const ContactPoint& contact);
-
 /// Takes all that contacts of the step act on to the rung `full`, but where neither side moves:
 /// such contacts are forgotten.
 void wake_touched(ContactStep& step);
@@ -167,35 +160,15 @@ void remember_contacts(ContactStep& step);
 /// gives their impulses.
 void push_by_penalty(ContactStep& step);
 
-/// Gaps and slips of the rows of a wave, as velocities. Gives the largest error, m.
-double measure_wave_rows(ContactStep& step);
-
-/// Hands changes of impulses on to what they act on, and predicts that again.
-void apply_wave_changes(ContactStep& step);
-
 /// Share of the opening that ends a tie to which it is solved: what ties take is exact for any
 /// force; this bounds by how much those creep that stick.
 inline constexpr double tie_tolerance = 1e-3;
 
-/// Predicts what has got impulses in a wave anew, with what it has got so far.
-void predict_struck(ContactStep& step);
-
-/// The ties of the step and what they had in the last one: in a wave for `hold_ties`, as impulses
-/// that are still to be predicted, else as the first of its contacts.
+/// The ties of a whole step, as the first of its contacts.
 void begin_ties(ContactStep& step);
 
-/// In a wave: impulses of ties for the contacts as they are, by the law's bounds for the openings
-/// predicted (`solve_ties`). After the first pass only contacts have changed: fewer back-solves do.
-void hold_ties(ContactStep& step, bool is_first);
-
-/// What ties are done with: they are no contacts. Corners note how far they have opened.
+/// Takes the ties from the contacts after the last pass. Corners note how far they have opened.
 TieReport finish_ties(ContactStep& step);
-
-/// Centres of free balls at the end of a wave's sub-step.
-void predict_wave_balls(ContactStep& step);
-
-/// Balls go where the wave's sub-step leads them.
-void move_wave_balls(ContactStep& step);
 
 /// Blows among the contacts found: they are told, and in a frozen part forgotten.
 void look_for_blows(ContactStep& step);

@@ -36,18 +36,6 @@ SystemMatrix system_matrix(const IntegratorSettings& settings) {
   return {1, 0};
 }
 
-RayleighDamping wave_damping(const StepInput& input, double cell_travel) {
-  RayleighDamping damping = input.settings.damping;
-  damping.stiffness_factor += input.part.viscosity * cell_travel;
-  return damping;
-}
-
-SystemMatrix wave_matrix(const StepInput& input, double cell_travel) {
-  const double reach = WaveScheme::theta * input.settings.time_step;
-  const auto [a, b] = wave_damping(input, cell_travel);
-  return {1 + reach * a, reach * b + reach * reach};
-}
-
 ImpulseCoefficients impulse_coefficients(const IntegratorSettings& settings) {
   const double h = settings.time_step;
   const auto [a, b] = settings.damping;

@@ -35,25 +35,6 @@ double followed_rho(double rho_infinity, double time_step, double extent_travel)
 /// M + h C + h^2 K for the change of velocity of implicit_euler. Verlet has none: M.
 SystemMatrix system_matrix(const IntegratorSettings& settings);
 
-/// The scheme of the sub-steps of an impact: no memory of accelerations, forces balanced at
-/// (1 - theta) old + theta new, and a viscosity C_w = viscosity x (way of a wave through a cell) K
-/// (`StepPart::viscosity`) that keeps wave fronts from overshooting on a mesh, as the linear bulk
-/// viscosity of explicit codes does [von Neumann and Richtmyer 1950]:
-///   M dv = h (b - C (d' + theta dv) - K (d + theta h d' + theta^2 h^2 dv)),  d += h (d' + theta
-///   dv)
-/// Chosen by figures (docs/lab/impact.md): with them the peak of a flat impact is within 8 per cent for
-/// sub-steps from 0.01 to 0.1 L/c on 20 to 100 cells.
-struct WaveScheme {
-  static constexpr double theta = 0.65;
-};
-
-/// C = a M + b K of a wave: the user's damping and C_w with the viscosity of the part.
-/// `cell_travel`: of the component, s.
-RayleighDamping wave_damping(const StepInput& input, double cell_travel);
-
-/// A = M + theta h C + theta^2 h^2 K of a wave, for the change of velocity.
-SystemMatrix wave_matrix(const StepInput& input, double cell_travel);
-
 /// Displacement at the end of a step for a unit change of momentum at its start, elastic part:
 /// inverse A^-1 + mass M^-1 on deformations. From A da = -C dv - h (1-alpha_f) K dv and
 /// dd = h dv + beta h^2 da, dv = M^-1 j, with K M^-1 written through A.

@@ -45,7 +45,7 @@ Deformation deformation_of(const StepInput& input, const MechanicsState& state,
                            const Component& component) {
   const Deformation asked = input.part.deformation;
   // What may slide goes with time, never ahead of it.
-  if (component.partly_held) return asked == Deformation::wave ? asked : Deformation::whole;
+  if (component.partly_held) return Deformation::whole;
   const bool must_move = asked == Deformation::frozen && is_pulled(state, component);
   return must_move ? Deformation::catch_up : asked;
 }
@@ -69,9 +69,7 @@ ComponentSystem& prepared_system(MechanicsState& state, const StepInput& input,
   }
   switch (deformation_of(input, state, component)) {
     case Deformation::frozen:
-      break;
     case Deformation::wave:
-      factor_system(system, wave_matrix(input, component.cell_travel), FactorUse::wave);
       break;
     case Deformation::whole:
     case Deformation::catch_up: {

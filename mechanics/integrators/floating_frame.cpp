@@ -91,39 +91,12 @@ double advance_deformation(const ComponentStep& step, BodyDeformation& d, const 
   return damped ? damping_work(step, settings.damping, d, 1 - alpha_f) : 0;
 }
 
-/// The scheme of impacts (`WaveScheme`), in place; gives the damping work, its viscosity's
-/// included.
-double advance_wave(const ComponentStep& step, BodyDeformation& d, const Field& load) {
-  const IntegratorSettings& settings = step.input.settings;
-  const RayleighDamping damping = wave_damping(step.input, step.component.cell_travel);
-  const double h = settings.time_step;
-  const double reach = WaveScheme::theta * h;
-  const std::size_t n = step.system->size();
-  const auto free = static_cast<Eigen::Index>(step.system->free_count);
-
-  Field argument = scratch_field(step.scratch, ScratchField::argument, n);
-  argument = d.displacement + (reach + damping.stiffness_factor) * d.rate;
-  Field change = scratch_field(step.scratch, ScratchField::product, n);
-  multiply_stiffness(as_vector(change), *step.system, as_vector(argument));
-  change =
-      h * (load - change - damping.mass_factor * (d.rate * step.system->shape.mass.asDiagonal()));
-  solve_system(*step.system, as_vector(change).head(3 * free), FactorUse::wave);
-  change.rightCols(static_cast<Eigen::Index>(n) - free).setZero();
-
-  d.displacement.leftCols(free) += h * d.rate.leftCols(free) + reach * change.leftCols(free);
-  move_held(step, d);
-  d.rate += change;
-  d.acceleration.setZero();
-  return damping_work(step, damping, d, WaveScheme::theta);
-}
-
 /// Takes the deformation through the part of a step at hand; gives the damping work.
 double advance_part(const ComponentStep& step, BodyDeformation& d, const Field& load) {
   switch (deformation_of(step.input, step.state, step.component)) {
     case Deformation::frozen:
       return 0;
-    case Deformation::wave:
-      return advance_wave(step, d, load);
+    case Deformation::wave:  // Explicit steps write their own rows.
     case Deformation::whole:
     case Deformation::catch_up:
       break;
@@ -167,7 +140,6 @@ Spin present_spin(const ComponentStep& step, const BodyDeformation& d, const Fie
 Field inertial_load(const ComponentStep& step, const BodyDeformation& d, const Spin& spin) {
   const IntegratorSettings settings = settings_of(step.input, step.state, step.component);
   double balance = 1 - generalised_alpha(settings.rho_infinity).alpha_f;
-  if (step.input.part.deformation == Deformation::wave) balance = WaveScheme::theta;
   if (settings.integrator == Integrator::modal) balance = 0.5;
   const double ahead = balance * settings.time_step;
   const RestShape& shape = step.system->shape;

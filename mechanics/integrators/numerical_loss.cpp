@@ -24,14 +24,4 @@ double numerical_loss(const ComponentSystem& system, const IntegratorSettings& s
   return (0.5 - alpha_f) * (step.stiffness_difference + turned) + h * h * (beta - gamma / 2) * lent;
 }
 
-double wave_loss(const ComponentSystem& system, const DeformationStep& step) {
-  double moved = 0;
-  for (std::size_t i = 0; i < system.size(); ++i) {
-    const std::size_t v = system.order[i].index();
-    moved += system.shape.mass[static_cast<Eigen::Index>(i)] *
-             (step.after.rate[v] - step.before.rate[v]).squaredNorm();
-  }
-  return (WaveScheme::theta - 0.5) * (moved + step.stiffness_difference);
-}
-
 }  // namespace sunder

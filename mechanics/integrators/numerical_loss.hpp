@@ -34,8 +34,4 @@ struct DeformationStep {
 double numerical_loss(const ComponentSystem& system, const IntegratorSettings& settings,
                       const DeformationStep& step);
 
-/// J lost in one sub-step of an impact (`WaveScheme`), >= 0:
-///   dT + dU = F . Dd - h v.C v - loss,  loss = (theta - 1/2) (Dd'.M Dd' + Dd.K Dd),  v = Dd / h.
-double wave_loss(const ComponentSystem& system, const DeformationStep& step);
-
 }  // namespace sunder

@@ -90,7 +90,6 @@ RigidLoad rigid_load(const ComponentStep& step) {
   const Loads& loads = step.input.loads;
   RigidLoad total{step.component.mass * loads.gravity, Vec3::Zero(), Vec3::Zero()};
   if (loads.force.empty()) return total;
-  const bool dead = step.input.part.deformation != Deformation::wave;
   Mat3 arm_force = Mat3::Zero();
   for (VertexId v : step.component.vertices) {
     Vec3 f = loads.force[v.index()];
@@ -98,7 +97,7 @@ RigidLoad rigid_load(const ComponentStep& step) {
     total.force += f;
     total.torque += arm.cross(f);
     if (!loads.turning.empty()) f -= loads.turning[v.index()];
-    if (dead) arm_force += arm * f.transpose();
+    arm_force += arm * f.transpose();
   }
   total.dead = step.component.orientation.toRotationMatrix().transpose() * arm_force;
   return total;
@@ -107,12 +106,9 @@ RigidLoad rigid_load(const ComponentStep& step) {
 PredictedFrame advance_centre(const ComponentStep& step, const RigidLoad& load) {
   const Component& body = step.component;
   const double h = step.input.settings.time_step;
-  const bool pressed =
-      step.input.part.deformation == Deformation::wave && !step.input.loads.force.empty();
-  const double share = pressed ? WaveScheme::theta : 0.5;
   PredictedFrame next;
   next.centre =
-      body.centre + h / body.mass * (body.momentum + share * h * (load.weight + load.force));
+      body.centre + h / body.mass * (body.momentum + 0.5 * h * (load.weight + load.force));
   next.orientation = body.orientation;
   next.momentum = body.momentum + h * (load.weight + load.force);
   next.angular_momentum = body.angular_momentum + h * load.torque;

@@ -14,7 +14,7 @@ struct RigidLoad {
   Vec3 force = Vec3::Zero();
   Vec3 torque = Vec3::Zero();
   /// sum q f^T of the forces that keep their direction, q in the body frame, N m: their torque at
-  /// any orientation. Nothing in a wave, whose forces are those of a contact.
+  /// any orientation.
   Mat3 dead = Mat3::Zero();
 };
 RigidLoad rigid_load(const ComponentStep& step);
@@ -22,11 +22,8 @@ RigidLoad rigid_load(const ComponentStep& step);
 /// Inertia of a component about its mass centre as it is deformed now, kg m^2, body frame.
 Mat3 deformed_inertia(const VertexColumns& vertices, const Component& body);
 
-/// c += h P/M + h^2 F/(2 M), P += h F, L += h tau: a parabola under gravity, to rounding. In a wave
-/// what has forces beside its weight, which are those of contact, moves by theta h^2 F/M, like the
-/// deformation: so a vertex held by contact stays where it is, and since weight goes the same way,
-/// (theta - 1/2) |h F|^2 / M of energy is lost and none is won. The orientation is left alone, and
-/// the torque is taken as that of the start.
+/// c += h P/M + h^2 F/(2 M), P += h F, L += h tau: a parabola under gravity, to rounding. The
+/// orientation is left alone, and the torque is taken as that of the start.
 PredictedFrame advance_centre(const ComponentStep& step, const RigidLoad& load);
 
 /// What the turn of a step depends on.

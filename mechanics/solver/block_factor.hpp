@@ -36,19 +36,16 @@ struct FactorScratch {
 void factor(BlockFactor& factor, const BlockAnalysis& analysis, const ShiftedMatrix& A,
             FactorScratch& scratch);
 
-/// Halves of a solve: x <- L^-1 x, and x <- L^-T x. With `needed` (one a supernode) only rows of
-/// the supernodes that are, and all ancestors of a needed one must be. Right for L^-1 where x is
-/// zero elsewhere, and for L^-T everywhere; other rows are not touched.
-void solve_lower(double* x, const BlockFactor& factor, const BlockAnalysis& analysis,
-                 std::span<const char> needed = {});
-void solve_upper(double* x, const BlockFactor& factor, const BlockAnalysis& analysis,
-                 std::span<const char> needed = {});
+/// Halves of a solve: x <- L^-1 x, and x <- L^-T x.
+void solve_lower(double* x, const BlockFactor& factor, const BlockAnalysis& analysis);
+void solve_upper(double* x, const BlockFactor& factor, const BlockAnalysis& analysis);
 
 /// x <- A^-1 x, 3 n numbers. Needs a positive definite factor. 0.7 ms at 6 000 tetrahedra.
-void solve(double* x, const BlockFactor& factor, const BlockAnalysis& analysis,
-           std::span<const char> needed = {});
+void solve(double* x, const BlockFactor& factor, const BlockAnalysis& analysis);
 
-/// The same for twelve right-hand sides, X row by row, 3 n x 12.
+/// The same for twelve right-hand sides, X row by row, 3 n x 12. With `needed` (one per supernode)
+/// only rows of the supernodes marked, and all ancestors of a marked one are marked too. Right for
+/// L^-1 where X is zero elsewhere, and for L^-T everywhere. Other rows are not touched.
 void solve_lower_12(double* X, const BlockFactor& factor, const BlockAnalysis& analysis,
                     std::span<const char> needed = {});
 void solve_upper_12(double* X, const BlockFactor& factor, const BlockAnalysis& analysis,

@@ -220,28 +220,22 @@ std::size_t highest(const BlockAnalysis& analysis) {
 
 }  // namespace
 
-void solve_lower(double* x, const BlockFactor& factor, const BlockAnalysis& analysis,
-                 std::span<const char> needed) {
-  for (std::size_t s = 0; s < analysis.supernodes.size(); ++s) {
-    if (!needed.empty() && !needed[s]) continue;
-    const Supernode& node = analysis.supernodes[s];
+void solve_lower(double* x, const BlockFactor& factor, const BlockAnalysis& analysis) {
+  for (const Supernode& node : analysis.supernodes) {
     solve_forward(x, panel_of(factor, node), {node.first, analysis.rows_below(node).data()});
   }
 }
 
-void solve_upper(double* x, const BlockFactor& factor, const BlockAnalysis& analysis,
-                 std::span<const char> needed) {
+void solve_upper(double* x, const BlockFactor& factor, const BlockAnalysis& analysis) {
   for (std::size_t s = analysis.supernodes.size(); s-- > 0;) {
-    if (!needed.empty() && !needed[s]) continue;
     const Supernode& node = analysis.supernodes[s];
     solve_backward(x, panel_of(factor, node), {node.first, analysis.rows_below(node).data()});
   }
 }
 
-void solve(double* x, const BlockFactor& factor, const BlockAnalysis& analysis,
-           std::span<const char> needed) {
-  solve_lower(x, factor, analysis, needed);
-  solve_upper(x, factor, analysis, needed);
+void solve(double* x, const BlockFactor& factor, const BlockAnalysis& analysis) {
+  solve_lower(x, factor, analysis);
+  solve_upper(x, factor, analysis);
 }
 
 void solve_lower_12(double* X, const BlockFactor& factor, const BlockAnalysis& analysis,

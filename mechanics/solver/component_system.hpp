@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The constant matrices of one component in its body frame: K, two factors of A, columns of A^-1.
+// The constant matrices of one component in its body frame: K, a factor of A, columns of A^-1.
 #pragma once
 
 #include <array>
@@ -39,9 +39,6 @@ struct SystemFactor {
   mutable std::vector<double> extended;
 };
 
-/// Which of a component's factors: that of its steps, or that of the sub-steps of an impact.
-enum class FactorUse { step, wave };
-
 /// Everything constant between two changes of a component.
 struct ComponentSystem {
   /// Its own numbering, n: free vertices in the order in which they are eliminated, then those held
@@ -54,14 +51,13 @@ struct ComponentSystem {
   std::vector<std::uint32_t> held_scalars;
   RestShape shape;         ///< in that order
   BlockMatrix stiffness;   ///< K, all n vertices, N/m
-  BlockAnalysis analysis;  ///< of the free vertices, or of those that the factors were made for
+  BlockAnalysis analysis;  ///< of the free vertices, or of those that the factor was made for
   /// Extended row of every free vertex; empty: its own number.
   std::vector<std::uint32_t> factor_row;
   FactorBorder border;
   std::uint32_t border_age = 0;  ///< parts of steps that the border has served
 
-  /// The second factor is made when a component is struck first.
-  SystemFactor step, wave;
+  SystemFactor step;
 
   /// What it was made of, so that a later split can tell which vertices are copies of which.
   std::vector<TetId> tetrahedra;
@@ -80,10 +76,6 @@ struct BorderLimits {
   static constexpr std::uint32_t age = 100;
 };
 
-inline SystemFactor& factor_of(ComponentSystem& system, FactorUse use) {
-  return use == FactorUse::step ? system.step : system.wave;
-}
-
 /// What systems are made of.
 struct SystemInput {
   const MechanicsState& state;
@@ -97,7 +89,7 @@ void build_system(ComponentSystem& system, std::span<std::uint32_t> local_row,
                   const MechanicsState& state, std::span<const Corners> corners,
                   const Component& component);
 
-/// What `build_system` makes, with the factors of `old` serving on under a border: `old` is the
+/// What `build_system` makes, with the factor of `old` serving on under a border: `old` is the
 /// system of the same component before vertices of it split or pieces came off it. False, and
 /// `system` is unfinished, where that cannot be or would not pay: too many copies (`BorderLimits`),
 /// more than half gone, no factor, or other vertices held. Takes what it needs out of `old`.
@@ -106,15 +98,12 @@ bool extend_system(ComponentSystem& system, ComponentSystem& old,
 
 /// Factors A over the free dofs unless that very matrix is factored already. Drops the compliance
 /// cache when the matrix changes. 10 ms at 6 000 tetrahedra.
-void factor_system(ComponentSystem& system, const SystemMatrix& matrix,
-                   FactorUse use = FactorUse::step);
+void factor_system(ComponentSystem& system, const SystemMatrix& matrix);
 
 /// x <- A^-1 x over the free vertices (3 free_count rows, any number of columns), in place; zero at
 /// `held_scalars`, whatever stood there. Becomes NaN where A was not positive definite, which only
-/// an overflow can bring about. With `needed` (`mark_supernodes`) x is zero but at those vertices on
-/// entry and right at them alone on return: a share of the time.
-void solve_system(const ComponentSystem& system, Eigen::Ref<Eigen::MatrixXd> x,
-                  FactorUse use = FactorUse::step, std::span<const char> needed = {});
+/// an overflow can bring about.
+void solve_system(const ComponentSystem& system, Eigen::Ref<Eigen::MatrixXd> x);
 
 /// Marks what the rows of free vertices (local) depend on: their supernodes and all above.
 void mark_supernodes(std::vector<char>& marked, const ComponentSystem& system,
@@ -129,7 +118,6 @@ void multiply_stiffness(Eigen::Ref<Eigen::VectorXd> y, const ComponentSystem& sy
 struct ColumnBlock {
   static constexpr std::uint32_t size = 4;
   ComponentSystem* system = nullptr;
-  FactorUse use = FactorUse::step;
   std::uint32_t count = 0;
   std::array<std::uint32_t, size> place{};  ///< in `SystemFactor::touched`
 
@@ -146,7 +134,7 @@ struct ColumnScratch {
 /// The columns of new ones are appended to `missing`; the cache is right after `fill_columns`.
 std::vector<std::uint32_t> note_touched(ComponentSystem& system,
                                         std::span<const std::uint32_t> local_vertices,
-                                        FactorUse use, std::vector<ColumnBlock>& missing);
+                                        std::vector<ColumnBlock>& missing);
 
 /// Solves for columns, block by block: same bytes for any number of threads. `scratch`: one a
 /// thread.
@@ -155,7 +143,6 @@ void fill_columns(std::span<const ColumnBlock> blocks, unsigned threads,
 
 /// Both at once, on one thread: three back-solves for each new vertex.
 std::vector<std::uint32_t> touch_compliance(ComponentSystem& system,
-                                            std::span<const std::uint32_t> local_vertices,
-                                            FactorUse use = FactorUse::step);
+                                            std::span<const std::uint32_t> local_vertices);
 
 }  // namespace sunder

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A system after splits with the factors of the one before.
+// A system after splits with the factor of the one before.
 #include <algorithm>
 
 #include "mechanics/element/second_order.hpp"
@@ -80,17 +80,12 @@ bool set_order(ComponentSystem& system, const ExtendedRows& rows, const SystemIn
   return true;
 }
 
-bool serves(const SystemFactor& factor) {
-  return !factor.factored || factor.factor.positive_definite;
-}
-
 }  // namespace
 
 bool extend_system(ComponentSystem& system, ComponentSystem& old,
                    std::span<std::uint32_t> local_row, const SystemInput& input) {
   system = ComponentSystem{};
-  if (!old.step.factored && !old.wave.factored) return false;
-  if (!serves(old.step) || !serves(old.wave)) return false;
+  if (!old.step.factored || !old.step.factor.positive_definite) return false;
   old.border.base = old.analysis.order.size();
   if (2 * input.component.vertices.size() < old.border.base) return false;
   ExtendedRows rows(input.state.vertices.size(), no_row);
@@ -107,9 +102,7 @@ bool extend_system(ComponentSystem& system, ComponentSystem& old,
   system.border_age = old.border_age;
   system.row_vertex = std::move(old.row_vertex);
   system.step = std::move(old.step);
-  system.wave = std::move(old.wave);
   system.step.touched.clear();
-  system.wave.touched.clear();
   return true;
 }
 

@@ -166,16 +166,14 @@ bool extend_border(BorderFactor& part, const BorderedMatrix& A) {
   return true;
 }
 
-void solve_bordered(double* x, const BorderFactor& part, const BorderedMatrix& A,
-                    std::span<const char> needed) {
+void solve_bordered(double* x, const BorderFactor& part, const BorderedMatrix& A) {
   fold(x, A.border, 1);
-  solve_lower(x, A.factor, A.analysis, needed);
-  const std::vector<char> met = needed.empty() ? part.needed : both(part.needed, needed);
+  solve_lower(x, A.factor, A.analysis);
   Eigen::Map<Eigen::VectorXd> z(x + 3 * A.border.base, static_cast<Index>(3 * part.copies));
   using Row = Eigen::Map<const Eigen::Matrix<double, 12, 1>>;
   for (const BorderFactor::Block& block : part.blocks) {
     Eigen::Matrix<double, 12, 1> sum = Eigen::Matrix<double, 12, 1>::Zero();
-    for_rows(A.analysis, met, [&](std::size_t first, std::size_t end) {
+    for_rows(A.analysis, part.needed, [&](std::size_t first, std::size_t end) {
       for (std::size_t r = first; r < end; ++r) sum += x[r] * Row(block.W.data() + 12 * r);
     });
     const auto count = static_cast<Index>(3 * block.count);
@@ -186,11 +184,11 @@ void solve_bordered(double* x, const BorderFactor& part, const BorderedMatrix& A
     Eigen::Matrix<double, 12, 1> own = Eigen::Matrix<double, 12, 1>::Zero();
     const auto count = static_cast<Index>(3 * block.count);
     own.head(count) = z.segment(static_cast<Index>(3 * block.first), count);
-    for_rows(A.analysis, met, [&](std::size_t first, std::size_t end) {
+    for_rows(A.analysis, part.needed, [&](std::size_t first, std::size_t end) {
       for (std::size_t r = first; r < end; ++r) x[r] -= own.dot(Row(block.W.data() + 12 * r));
     });
   }
-  solve_upper(x, A.factor, A.analysis, needed);
+  solve_upper(x, A.factor, A.analysis);
   unfold(x, A.border, 1);
 }
 

@@ -60,12 +60,10 @@ struct BorderedMatrix {
 /// tetrahedra.
 bool extend_border(BorderFactor& part, const BorderedMatrix& A);
 
-/// x <- A^-1 x on the extended rows: loads and answers of vertices, not of differences. With
-/// `needed` loads and answers in those supernodes alone, ancestors among them. `X`: the same for
-/// twelve right-hand sides row by row, as in `solve_12`: loads in the supernodes `loaded` and those
-/// above alone, answers in `needed`, which hold those. Copies count where their origins do.
-void solve_bordered(double* x, const BorderFactor& part, const BorderedMatrix& A,
-                    std::span<const char> needed = {});
+/// x <- A^-1 x on the extended rows: loads and answers of vertices, not of differences. `X`: the
+/// same for twelve right-hand sides row by row, as in `solve_12`: loads in the supernodes `loaded`
+/// and those above alone, answers in `needed`, which hold those. Copies count where their origins do.
+void solve_bordered(double* x, const BorderFactor& part, const BorderedMatrix& A);
 void solve_bordered_12(double* X, const BorderFactor& part, const BorderedMatrix& A,
                        std::span<const char> loaded, std::span<const char> needed);
 

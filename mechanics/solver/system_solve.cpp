@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Factors of a system, solves with them, and compliance.
+// The factor of a system, solves with it, and compliance.
 #include <algorithm>
 #include <limits>
 #include <numeric>
@@ -11,7 +11,7 @@
 namespace sunder {
 namespace {
 
-/// The rows of the factors, of vertices: free ones, or extended ones.
+/// The rows of the factor, of vertices: free ones, or extended ones.
 std::size_t factor_rows(const ComponentSystem& system) {
   return system.analysis.order.size() + system.border.columns.size();
 }
@@ -35,11 +35,9 @@ void renew_analysis(ComponentSystem& system) {
   }
   system.border = {};
   system.border_age = 0;
-  for (SystemFactor* own : {&system.step, &system.wave}) {
-    own->factored = false;
-    own->border = {};
-    own->touched.clear();
-  }
+  system.step.factored = false;
+  system.step.border = {};
+  system.step.touched.clear();
 }
 
 void make_factor(ComponentSystem& system, SystemFactor& own) {
@@ -61,17 +59,16 @@ void make_factor(ComponentSystem& system, SystemFactor& own) {
 }
 
 /// x <- A^-1 x by way of the rows of the factor.
-void solve_extended(double* x, const ComponentSystem& system, const SystemFactor& own,
-                    std::span<const char> needed) {
+void solve_extended(double* x, const ComponentSystem& system, const SystemFactor& own) {
   own.extended.assign(3 * factor_rows(system), 0.0);
   double* extended = own.extended.data();
   for (std::size_t i = 0; i < system.free_count; ++i) {
     std::copy_n(x + 3 * i, 3, extended + 3 * std::size_t{system.factor_row[i]});
   }
   if (system.border.columns.empty()) {
-    solve(extended, own.factor, system.analysis, needed);
+    solve(extended, own.factor, system.analysis);
   } else {
-    solve_bordered(extended, own.border, bordered(system, own), needed);
+    solve_bordered(extended, own.border, bordered(system, own));
   }
   for (std::size_t i = 0; i < system.free_count; ++i) {
     std::copy_n(extended + 3 * std::size_t{system.factor_row[i]}, 3, x + 3 * i);
@@ -80,8 +77,8 @@ void solve_extended(double* x, const ComponentSystem& system, const SystemFactor
 
 }  // namespace
 
-void factor_system(ComponentSystem& system, const SystemMatrix& matrix, FactorUse use) {
-  SystemFactor& own = factor_of(system, use);
+void factor_system(ComponentSystem& system, const SystemMatrix& matrix) {
+  SystemFactor& own = system.step;
   // Copies, or rows of what came off: no order of elimination for the system as it is.
   const bool is_extended =
       !system.border.columns.empty() || factor_rows(system) != system.free_count;
@@ -98,9 +95,8 @@ void factor_system(ComponentSystem& system, const SystemMatrix& matrix, FactorUs
   own.factored = true;
 }
 
-void solve_system(const ComponentSystem& system, Eigen::Ref<Eigen::MatrixXd> x, FactorUse use,
-                  std::span<const char> needed) {
-  const SystemFactor& own = use == FactorUse::step ? system.step : system.wave;
+void solve_system(const ComponentSystem& system, Eigen::Ref<Eigen::MatrixXd> x) {
+  const SystemFactor& own = system.step;
   SUNDER_ASSERT(own.factored, "solve_system: no factor");
   if (!own.factor.positive_definite) {
     x.setConstant(std::numeric_limits<double>::quiet_NaN());
@@ -109,9 +105,9 @@ void solve_system(const ComponentSystem& system, Eigen::Ref<Eigen::MatrixXd> x, 
   for (const std::uint32_t scalar : system.held_scalars) x.row(scalar).setZero();
   for (Eigen::Index j = 0; j < x.cols(); ++j) {
     if (system.factor_row.empty()) {
-      solve(x.col(j).data(), own.factor, system.analysis, needed);
+      solve(x.col(j).data(), own.factor, system.analysis);
     } else {
-      solve_extended(x.col(j).data(), system, own, needed);
+      solve_extended(x.col(j).data(), system, own);
     }
   }
 }
@@ -199,14 +195,14 @@ void fill_columns(std::span<const ColumnBlock> blocks, unsigned threads,
   scratch.resize(std::max<std::size_t>(scratch.size(), std::max(threads, 1u)));
   parallel_for(threads, blocks.size(), [&](std::size_t k, unsigned worker) {
     const ColumnBlock& block = blocks[k];
-    fill_block(factor_of(*block.system, block.use), *block.system, block, scratch[worker]);
+    fill_block(block.system->step, *block.system, block, scratch[worker]);
   });
 }
 
 std::vector<std::uint32_t> note_touched(ComponentSystem& system,
                                         std::span<const std::uint32_t> local_vertices,
-                                        FactorUse use, std::vector<ColumnBlock>& missing) {
-  SystemFactor& own = factor_of(system, use);
+                                        std::vector<ColumnBlock>& missing) {
+  SystemFactor& own = system.step;
   const std::size_t known = own.touched.size();
   std::vector<std::uint32_t> places;
   places.reserve(local_vertices.size());
@@ -230,7 +226,7 @@ std::vector<std::uint32_t> note_touched(ComponentSystem& system,
   const auto row = [&](std::uint32_t place) { return origin_row(system, own.touched[place]); };
   std::ranges::stable_sort(fresh, {}, row);
   for (std::size_t first = 0; first < fresh.size(); first += ColumnBlock::size) {
-    ColumnBlock block{&system, use, 0, {}};
+    ColumnBlock block{&system, 0, {}};
     for (; block.count < ColumnBlock::size && first + block.count < fresh.size(); ++block.count) {
       block.place[block.count] = fresh[first + block.count];
     }
@@ -240,11 +236,10 @@ std::vector<std::uint32_t> note_touched(ComponentSystem& system,
 }
 
 std::vector<std::uint32_t> touch_compliance(ComponentSystem& system,
-                                            std::span<const std::uint32_t> local_vertices,
-                                            FactorUse use) {
+                                            std::span<const std::uint32_t> local_vertices) {
   std::vector<ColumnBlock> missing;
   std::vector<ColumnScratch> scratch;
-  std::vector<std::uint32_t> places = note_touched(system, local_vertices, use, missing);
+  std::vector<std::uint32_t> places = note_touched(system, local_vertices, missing);
   fill_columns(missing, 1, scratch);
   return places;
 }

@@ -34,7 +34,7 @@ enum class Deformation {
   whole,     ///< by generalised-alpha
   frozen,    ///< not at all: the frame moves alone; what is pulled (`is_pulled`) catches up
   catch_up,  ///< by generalised-alpha over the whole step, in a part that may be shorter
-  wave,      ///< by the scheme of impacts (`WaveScheme`)
+  wave,      ///< by explicit steps (mechanics/contact/waves/)
 };
 
 /// Which part of a step is taken; `IntegratorSettings::time_step` is its length.
@@ -48,13 +48,13 @@ struct StepPart {
   /// Beside `impact`: J that a component must hold before it can break, |C|. Blows that cannot
   /// bring it so far are none. Empty: every blow counts.
   std::span<const double> threshold = {};
-  /// Of a wave: C_w (`WaveScheme`) is this times a wave's way through a cell times K.
+  /// Of a wave: cells get the viscosity C = this times `Component::cell_travel` times K, but at most
+  /// half of critical damping. It keeps wave fronts from overshooting on a mesh, as the linear bulk
+  /// viscosity of explicit codes does [von Neumann and Richtmyer 1950].
   double viscosity = 0.3;
-  /// A wave by explicit steps (`ImpactScheme::central`) and not by an implicit one.
-  bool is_explicit = false;
-  /// s, of an explicit wave: contacts are found for so long; 0: those found before still serve.
+  /// s, of a wave: contacts are found for so long; 0: those found before still serve.
   double contacts_for = 0;
-  /// Of an explicit wave: equal parts of its length, after each of which it may end
+  /// Of a wave: equal parts of its length, after each of which it may end
   /// (`StepInput::ends`).
   std::uint32_t sub_steps = 1;
   /// A step in which pieces would pass each other, fast or in a spin, is not taken.
@@ -86,7 +86,7 @@ struct StepInput {
   /// Threads that factors and columns of the inverse are made on. Results are the same bytes for
   /// any number.
   unsigned threads = 1;
-  /// Given, an explicit wave asks it after each of its sub-steps but the last. True: the part ends
+  /// Given, a wave asks it after each of its sub-steps but the last. True: the part ends
   /// there. Displacements, element stresses and the time are then those of the moment.
   const std::function<bool()>* ends = nullptr;
   /// Given and true: iterations end where they are.

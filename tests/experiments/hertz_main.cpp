@@ -11,8 +11,8 @@ namespace {
 
 void row(const HertzImpact& impact) {
   const HertzOutcome o = run_hertz(impact);
-  std::printf("%d,%g,%g,%g,%g,%zu,%.2f,%.3f,%.3f,%.3f,%.3f,%.3f,%.3f\n", impact.cells,
-              impact.smallest, impact.speed, impact.poisson_ratio, impact.fraction, o.vertices,
+  std::printf("%d,%g,%g,%g,%zu,%.2f,%.3f,%.3f,%.3f,%.3f,%.3f,%.3f\n", impact.cells,
+              impact.smallest, impact.speed, impact.poisson_ratio, o.vertices,
               o.radius_cells, o.contact_time, o.force, o.radius, o.law, o.pressure, o.rebound);
   std::fflush(stdout);
 }
@@ -21,12 +21,11 @@ void row(const HertzImpact& impact) {
 
 int main() {
   std::puts(
-      "cells,smallest / m,speed / (m/s),nu,fraction,vertices,a / cell,time,force,radius,force of "
+      "cells,smallest / m,speed / (m/s),nu,vertices,a / cell,time,force,radius,force of "
       "radius,pressure,rebound");
   for (const int cells : {6, 8, 12, 16}) row({.cells = cells});
   for (const double smallest : {0.03, 0.012}) row({.cells = 12, .smallest = smallest});
   row({.smallest = 0.008, .speed = 0.3});
   row({.smallest = 0.03, .speed = 8});
   for (const double nu : {0.0, 0.4}) row({.poisson_ratio = nu});
-  for (const double fraction : {0.25, 0.015625}) row({.fraction = fraction});
 }

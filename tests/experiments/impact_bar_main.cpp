@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // `impact_bar`: a CSV of the flat bar on a wall for steps from 0.01 to 250 L/c.
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
 
 #include "tests/experiments/cases/impact_bar.hpp"
@@ -23,8 +22,7 @@ void print_row(const BarImpact& impact) {
 }  // namespace
 
 /// Arguments: `--whole` leaves fracture out, so that all of a run is of one bar; `--no-window`
-/// leaves impact windows out; `--implicit` takes implicit sub-steps in them; `--fraction F` sets
-/// their sub-step over L/c.
+/// leaves impact windows out.
 int main(int argc, char** argv) {
   BarImpact impact;
   for (int i = 1; i < argc; ++i) {
@@ -32,13 +30,8 @@ int main(int argc, char** argv) {
       impact.breaks = false;
     } else if (std::strcmp(argv[i], "--no-window") == 0) {
       impact.impact.window = false;
-    } else if (std::strcmp(argv[i], "--implicit") == 0) {
-      impact.impact.scheme = sunder::ImpactScheme::implicit;
-    } else if (std::strcmp(argv[i], "--fraction") == 0 && i + 1 < argc) {
-      impact.impact.fraction = std::atof(argv[++i]);
     } else {
-      std::fprintf(stderr,
-                   "usage: impact_bar [--whole] [--no-window] [--implicit] [--fraction F]\n");
+      std::fprintf(stderr, "usage: impact_bar [--whole] [--no-window]\n");
       return 2;
     }
   }

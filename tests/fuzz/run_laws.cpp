@@ -67,7 +67,7 @@ constexpr std::string_view small_scene = R"({
   "held": [], "loads": [{"minimum": [0, 0, 0], "maximum": [1, 1, 1], "force": [0, 0, -1]}]}],
   "obstacles": [{"plane": {"normal": [0, 0, 1]}}, {"sphere": {"center": [0, 0, 1], "radius": 0.1},
   "velocity": [0, 0, -3], "mass": 1}], "gravity": {"acceleration": [0, 0, -9.8]},
-  "time_step": 1e-3, "duration": 0.01, "impact": {"fraction": 0.1}, "ladder": {"sleep_after": 1},
+  "time_step": 1e-3, "duration": 0.01, "ladder": {"sleep_after": 1},
   "output": {"frames": 2, "checkpoint": {"steps": 3, "minutes": 0}}})";
 
 /// What users of findings rely on: none of it may be missing, or hold bytes that move a terminal.

@@ -131,10 +131,8 @@ void choose_steps(ChartWork& work, const Scene& scene) {
   }
   work.grid.wall_shares = a.quick ? std::vector{2., 0.9, 0.3} : std::vector{2., 0.9, 0.45, 0.2};
   if (scene.obstacles.empty() && scene.bodies.size() < 2) return;
-  work.grid.fractions = a.fractions;
-  if (!a.fractions.empty()) return;
-  work.grid.fractions = {0, ImpactSettings{}.fraction};
-  if (!a.quick) work.grid.fractions = {0, 0.25, ImpactSettings{}.fraction, 1. / 64};
+  for (const std::string& word : a.windows) work.grid.windows.push_back(word == "on");
+  if (a.windows.empty()) work.grid.windows = {0, 1};
 }
 
 /// The point of the scene to follow: given, or the farthest of the mesh's.
@@ -194,26 +192,22 @@ void prepare(ChartWork& work) {
                                                  sim->scene.integrator.damping.stiffness_factor));
   }
   choose_members(work);
-  // Windows go no finer than half a cell's travel: below that only a shorter step does.
+  // Sub-steps of windows are a cell's travel: only a shorter step is finer.
   work.reference_step = *std::ranges::min_element(work.grid.steps);
   for (const Component& c : sim->state->mechanics.components) {
-    if (work.grid.fractions.empty() || c.tetrahedra.empty()) continue;
+    if (work.grid.windows.empty() || c.tetrahedra.empty()) continue;
     work.reference_step = std::min(work.reference_step, c.cell_travel / 2);
   }
   work.chart.probe = work.runner.probe;
 }
 
-/// The default method on a mesh, at a part of the reference's step and with the finest window.
+/// The default method on a mesh, at a part of the reference's step and with windows.
 ChartOutcome reference_run(ChartWork& work, double part, std::size_t mesh) {
   ChartGrid grid = work.grid;
   grid.methods = {0};
   grid.steps = {part * work.reference_step};
   grid.variants.clear();
-  double finest = ImpactSettings{}.fraction;
-  for (const double f : grid.fractions) {
-    if (f > 0) finest = std::min(finest, f);
-  }
-  if (!grid.fractions.empty()) grid.fractions = {part * finest};
+  if (!grid.windows.empty()) grid.windows = {1};
   grid.bounds.resize(1);
   const ChartSetting setting = chart_settings(grid).front();
   work.told(fmt::format("reference: step {:.4g} s on {} tetrahedra", setting.step,
@@ -288,7 +282,7 @@ void exact_reference(ChartWork& work) {
 
 std::string label_of(const ChartWork& work, const ChartSetting& s) {
   return fmt::format("{}{}{}, step {:.4g} s, {} tetrahedra", chart_methods()[s.method].name,
-                     s.fraction > 0 ? fmt::format(", window {:.4g}", s.fraction) : "",
+                     s.has_window ? ", window" : "",
                      s.variant.empty() ? "" : ", " + s.variant, s.step,
                      work.chart.tetrahedra[s.mesh]);
 }
@@ -322,8 +316,8 @@ void run_all(ChartWork& work) {
 /// Whether a point is the schema's default at the scene's step, and whether it may be the paper's
 /// choice: its own method at a step that it solves; the cheapest of them is taken.
 bool is_default(const ChartWork& work, const ChartSetting& s) {
-  const double fraction = work.grid.fractions.empty() ? 0 : ImpactSettings{}.fraction;
-  return s.mesh == 0 && s.method == 0 && s.variant.empty() && s.fraction == fraction &&
+  return s.mesh == 0 && s.method == 0 && s.variant.empty() &&
+         s.has_window == !work.grid.windows.empty() &&
          std::abs(s.step / work.scene_step - 1) < 1e-9;
 }
 bool is_paper(const ChartPoint& p) {

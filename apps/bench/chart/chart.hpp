@@ -29,7 +29,9 @@ struct ChartArguments : Telling {
   std::string exact;
   std::string probe;
   std::vector<std::string> methods, variants, meshes, settings;
-  std::vector<double> steps, fractions;
+  std::vector<double> steps;
+  /// "on" and "off"; empty: both.
+  std::vector<std::string> windows;
   /// Refinements of the scene's meshes; -1: one where that leaves at most 20 000 tetrahedra.
   int levels = -1;
   /// Runs of each setting (chart_ensemble.hpp).

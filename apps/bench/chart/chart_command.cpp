@@ -59,7 +59,7 @@ Examples:
   sunder chart meshes/scenes/charts/bar.json --quantity peak_stress --exact 4.5e6
   sunder chart meshes/scenes/monolith.json --quantity largest_piece --quick --levels 0
   sunder chart meshes/scenes/ensembles/ball.json --quantity pieces --ensemble 4 --exact 520 --levels 0 \
-    --method floating_frame --steps 2e-4 --windows 0.25 --vary fracture.crack=paper,object
+    --method floating_frame --steps 2e-4 --windows on --vary fracture.crack=paper,object
   sunder chart SCENE --quantity pieces --ensemble meshes --mesh a.mesh --mesh b.mesh --mesh c.mesh
   sunder chart meshes/scenes/block.json --quantity largest_piece --vary contact.max_iterations=10,40,200
 )";
@@ -151,12 +151,10 @@ void add_grid_options(CLI::App& command, ChartArguments& a) {
       ->delimiter(',')
       ->check(CLI::PositiveNumber);
   command
-      .add_option("--windows", a.fractions,
-                  "Sub-steps of impact windows over L/c, 0 for no window; default: 0, 1/4, 1/16, "
-                  "1/64")
-      ->type_name("SHARE,...")
+      .add_option("--windows", a.windows, "Runs with and without impact windows; default: off,on")
+      ->type_name("on,off")
       ->delimiter(',')
-      ->check(CLI::Range(0.0, 1.0));
+      ->check(CLI::IsMember({"on", "off"}));
   CLI::Option* levels =
       command
           .add_option("--levels", a.levels,

@@ -97,18 +97,17 @@ double whole_step(double duration, double step) {
 std::vector<ChartSetting> chart_settings(const ChartGrid& grid) {
   std::vector<ChartSetting> all;
   SeriesMaker maker{grid, all};
-  const std::vector<double> none = {0};
+  const std::vector<char> none = {0};
   const std::vector<std::string> as_it_is = {""};
   for (const std::size_t method : grid.methods) {
-    const bool windows = methods[method].has_windows && !grid.fractions.empty();
-    for (const double fraction : windows ? grid.fractions : none) {
+    const bool windows = methods[method].has_windows && !grid.windows.empty();
+    for (const bool window : windows ? grid.windows : none) {
       for (const std::string& variant : grid.variants.empty() ? as_it_is : grid.variants) {
         for (std::size_t mesh = 0; mesh < grid.bounds.size(); ++mesh) {
-          ChartSetting s{method, variant, fraction, 0, mesh, 0, words(methods[method].changes), 0};
+          ChartSetting s{method, variant, window, 0, mesh, 0, words(methods[method].changes), 0};
           if (windows) {
-            s.changes.push_back(fraction > 0 ? "impact.window=true" : "impact.window=false");
+            s.changes.push_back(window ? "impact.window=true" : "impact.window=false");
           }
-          if (fraction > 0) s.changes.push_back(change("impact.fraction", fraction));
           if (!variant.empty()) s.changes.push_back(variant);
           maker.make(s);
         }

@@ -35,8 +35,8 @@ struct ChartGrid {
   std::vector<std::size_t> methods;
   /// s, of methods without a wall; of methods with one, as shares of the bound of each mesh.
   std::vector<double> steps, wall_shares;
-  /// `impact.fraction`; 0: no window. Empty: the scene has nothing to strike, windows do nothing.
-  std::vector<double> fractions;
+  /// Values of `impact.window`. Empty: the scene has nothing to strike, and windows do nothing.
+  std::vector<char> windows;
   /// Values of further keys, `key=value` each; empty: none are varied.
   std::vector<std::string> variants;
   /// s, the explicit step bound of each mesh, coarse to fine.
@@ -49,8 +49,8 @@ struct ChartGrid {
 struct ChartSetting {
   std::size_t method = 0;
   std::string variant;
-  /// Share of L/c of a window's sub-steps; 0: no window.
-  double fraction = 0;
+  /// With impact windows.
+  bool has_window = false;
   double step = 1e-3;
   std::size_t mesh = 0;
   /// Over the explicit step bound; not a number for methods without a wall.

@@ -46,7 +46,7 @@ int mark(std::size_t mesh, bool hollow) {
 
 bool has_windows(const Chart& chart) {
   return std::ranges::any_of(chart.points,
-                             [](const ChartPoint& p) { return p.setting.fraction > 0; });
+                             [](const ChartPoint& p) { return p.setting.has_window; });
 }
 
 /// From the last series to the first: the default lies on top.
@@ -62,7 +62,7 @@ void add_series(Plot& plot, const Chart& chart) {
     if (points.empty()) continue;
     plot.add(points,
              fmt::format("with linespoints lc rgb '{}' lw 1.2 pt {} ps 1.1",
-                         chart_methods()[s.method].color, mark(s.mesh, windows && s.fraction == 0)),
+                         chart_methods()[s.method].color, mark(s.mesh, windows && !s.has_window)),
              "");
   }
 }

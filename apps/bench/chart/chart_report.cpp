@@ -72,7 +72,7 @@ ordered_json value_json(const Chart& chart, const Vec3& value) {
 ordered_json point_json(const Chart& chart, const ChartPoint& p) {
   ordered_json json = {{"method", chart_methods()[p.setting.method].name},
                        {"variant", p.setting.variant},
-                       {"window_fraction", p.setting.fraction},
+                       {"window", p.setting.has_window},
                        {"time_step", p.setting.step},
                        {"tetrahedra", p.outcome.tetrahedra},
                        {"end", word_of(p.outcome.end)}};
@@ -98,7 +98,7 @@ ordered_json point_json(const Chart& chart, const ChartPoint& p) {
 
 std::string setting_text(const Chart& chart, const ChartSetting& s) {
   std::string text{chart_methods()[s.method].name};
-  if (s.fraction > 0) text += fmt::format(", windows at {:.4g} L/c", s.fraction);
+  if (s.has_window) text += ", with windows";
   if (!s.variant.empty()) text += ", " + s.variant;
   text += fmt::format(", step {:.4g} s", s.step);
   if (chart.tetrahedra.size() > 1) text += fmt::format(", {} tetrahedra", chart.tetrahedra[s.mesh]);
@@ -146,7 +146,7 @@ std::string chart_csv(const Chart& chart) {
       q.name, chart.scene, q.unit, q.scale, value_text(chart, chart.reference.value, " "), q.unit,
       chart.reference.how, chart.reference.own_error);
   out +=
-      "method,variant,window_fraction,time_step,mesh,tetrahedra,steps,sub_steps,given_up,fans,"
+      "method,variant,window,time_step,mesh,tetrahedra,steps,sub_steps,given_up,fans,"
       "value,deviation,low,high,error,lasting_error,below_reference,ms_per_ms,runs,on_front,end,"
       "reason\n";
   for (const ChartPoint& p : chart.points) {
@@ -157,7 +157,7 @@ std::string chart_csv(const Chart& chart) {
         std::back_inserter(out),
         "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
         quoted(std::string(chart_methods()[p.setting.method].name)), quoted(p.setting.variant),
-        p.setting.fraction, p.setting.step, p.setting.mesh, o.tetrahedra, o.steps, o.sub_steps,
+        p.setting.has_window ? 1 : 0, p.setting.step, p.setting.mesh, o.tetrahedra, o.steps, o.sub_steps,
         o.given_up, o.fans, fine ? value_text(chart, o.value, " ") : "",
         fine ? fmt::format("{:.5g}", band.deviation) : "",
         fine ? value_text(chart, band.low, " ") : "", fine ? value_text(chart, band.high, " ") : "",

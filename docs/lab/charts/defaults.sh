@@ -23,11 +23,11 @@ for quantity in position peak_stress; do
 done
 for values in impact.negligible=0.01,0.03,0.1,0.3,1 contact.tolerance=1e-2,1e-3,1e-4,1e-5,1e-6 \
   contact.max_iterations=5,10,20,40,200 contact.max_passes=1,2,3,5; do
-  vary fans paper/monolith.json --set duration=0.06 --set time_step=1e-3 --steps 1e-3 --windows 0.0625 \
+  vary fans paper/monolith.json --set duration=0.06 --set time_step=1e-3 --steps 1e-3 --windows on \
     --set contact.max_iterations=1000 --set contact.max_passes=3 --vary $values
 done
 for values in impact.negligible=0.03,0.1,0.3,1 contact.max_iterations=10,40,200 \
   contact.max_passes=1,3 contact.tolerance=1e-3,1e-5; do
   vary fans paper/bunny.json --set duration=0.028 --set impact.negligible=0.1 --steps 8e-4 \
-    --windows 0.0625 --exact 2270 --limit 60 --vary $values
+    --windows on --exact 2270 --limit 60 --vary $values
 done

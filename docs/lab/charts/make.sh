@@ -26,8 +26,6 @@ chart bar $scenes/charts/bar.json peak_stress --exact 4.5e6 --within 0.1 --level
 chart rod $scenes/charts/rod.json end_stress --exact 7.5e5 --steps 0.016,4e-3,1e-3,2.5e-4,6.25e-5 --limit 10
 chart flight $scenes/charts/flight.json position --levels 0
 chart monolith $scenes/paper/monolith.json first_fan_time --within 0.002 --levels 0 \
-  --set duration=0.06 --set time_step=1e-3 --steps 4e-3,1e-3,2.5e-4,6.25e-5 \
-  --windows 0,0.25,0.125,0.0625,0.03125
+  --set duration=0.06 --set time_step=1e-3 --steps 4e-3,1e-3,2.5e-4,6.25e-5
 chart bunny $scenes/paper/bunny.json fans --within 0.15 --levels 0 --limit 30 \
-  --set duration=0.028 --set impact.negligible=0.1 --steps 8e-4,2e-4,5e-5 \
-  --windows 0,0.25,0.125,0.0625,0.03125
+  --set duration=0.028 --set impact.negligible=0.1 --steps 8e-4,2e-4,5e-5

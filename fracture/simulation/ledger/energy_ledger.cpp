@@ -32,15 +32,7 @@ void add_work(EnergyLedger& ledger, const AdoptedPart& part) {
 
 /// Where the scheme of a part balances forces, between its start (0) and end (1).
 double balance_of(Deformation deformation, const IntegratorSettings& settings) {
-  switch (deformation) {
-    case Deformation::wave:
-      return WaveScheme::theta;
-    case Deformation::frozen:
-      return 0.5;
-    case Deformation::whole:
-    case Deformation::catch_up:
-      break;
-  }
+  if (deformation == Deformation::frozen) return 0.5;
   return 1 - generalised_alpha(settings.rho_infinity).alpha_f;
 }
 
@@ -71,22 +63,16 @@ double deformation_loss(const AdoptedPart& part, const Component& component) {
   }
   // Equilibrium at the end under the loads of the whole way: they give what strain does not take.
   if (component.rung == Rung::quasi_static) return 0.5 * step.stiffness_difference;
-  if (input.part.deformation == Deformation::wave) return wave_loss(*system, step);
   return numerical_loss(*system, deformation_settings(input, m, component), step);
 }
 
-/// Of a free frame. What a wave moves by theta loses a little of each change of its velocity. Else
-/// contact is a blow at the start, weight and loads with it, and the way of the step is that of the
-/// velocity after it: the stop takes what is between.
+/// Of a free frame. Contact is a blow at the start, weight and loads with it, and the way of the step
+/// is that of the velocity after it: the stop takes what is between.
 double frame_loss(const AdoptedPart& part, const Component& component) {
-  const StepInput& input = part.input;
   const PartStart& before = part.before;
   const std::size_t row = component.id.index();
-  const Vec3 change = component.momentum - before.momentum[row];
-  if (input.part.deformation == Deformation::wave) {
-    return (share_in_wave(part, component) - 0.5) * change.squaredNorm() / component.mass;
-  }
   if (!is_struck(part.result.touched, row)) return 0;
+  const Vec3 change = component.momentum - before.momentum[row];
   // A rigid body takes its blows as it is turned at the start, and then turns freely.
   const Eigen::Quaterniond& R = component.rigid ? before.orientation[row] : component.orientation;
   const Vec3 turn =
@@ -130,16 +116,14 @@ Vec3 way_after_blow(const AdoptedPart& part, const Component& c, const Vec3& pla
          (c.momentum / c.mass + spin.cross(place - part.before.centre[row]));
 }
 
-bool takes_blows(const AdoptedPart& part, const Component& c) {
-  return c.rigid && !c.supported && part.input.part.deformation != Deformation::wave;
-}
+bool takes_blows(const Component& c) { return c.rigid && !c.supported; }
 
 /// Way of side A, a point of a body, over the part.
 Vec3 way_of_body_a(const AdoptedPart& part, const ContactPoint& contact) {
   const MechanicsState& m = part.state.mechanics;
   const Component& c = m.components[component_of_a(contact, m).index()];
   const Vec3 start = start_of_side_a(part, contact);
-  if (takes_blows(part, c)) return way_after_blow(part, c, start);
+  if (takes_blows(c)) return way_after_blow(part, c, start);
   return nodes_of_a(contact, part.input.corners).sum(m.vertices.position) - start;
 }
 
@@ -149,7 +133,7 @@ Vec3 way_of_other(const AdoptedPart& part, const ContactPoint& contact) {
   if (contact.tetrahedron.is_none()) return way_of_obstacle(part, contact.obstacle, place);
   const ComponentId id = part.state.mechanics.elements.component[contact.tetrahedron.index()];
   const Component& component = part.state.mechanics.components[id.index()];
-  if (takes_blows(part, component)) return way_after_blow(part, component, place);
+  if (takes_blows(component)) return way_after_blow(part, component, place);
   const TouchedNodes touched =
       touched_nodes(contact, part.state.mechanics, part.input.corners);
   Vec3 way = Vec3::Zero();
@@ -198,9 +182,7 @@ void add_support_work(EnergyLedger& ledger, const AdoptedPart& part, const Compo
   if (fastest == 0) return;
   const IntegratorSettings settings = deformation_settings(input, m, component);
   const double balance = balance_of(deformation_of(input, m, component), settings);
-  const RayleighDamping damping = input.part.deformation == Deformation::wave
-                                      ? wave_damping(input, component.cell_travel)
-                                      : settings.damping;
+  const RayleighDamping& damping = settings.damping;
   PartStart& before = part.before;
   before.work.resize(6 * n);
   Eigen::Map<Eigen::Matrix3Xd> at(before.work.data(), 3, static_cast<Eigen::Index>(n));
@@ -264,11 +246,6 @@ void add_explicit_work(EnergyLedger& ledger, const AdoptedPart& part, const Wave
 
 bool is_struck(const std::vector<char>& touched, std::size_t row) {
   return !touched.empty() && touched[row];
-}
-
-double share_in_wave(const AdoptedPart& part, const Component& component) {
-  const bool struck = is_struck(part.result.touched, component.id.index());
-  return struck || !part.input.loads.force.empty() ? WaveScheme::theta : 0.5;
 }
 
 void remember_start(PartStart& before, const SimulationState& state, bool keeps_ledger) {

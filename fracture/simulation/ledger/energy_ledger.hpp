@@ -22,10 +22,6 @@ struct AdoptedPart {
 /// of either.
 bool is_struck(const std::vector<char>& touched, std::size_t row);
 
-/// The share of its new velocity in the way of a free component's centre in a part that is a wave:
-/// theta where it has forces beside its weight, else a half (`advance_centre`).
-double share_in_wave(const AdoptedPart& part, const Component& component);
-
 /// Adds to the report of the step what happened in the part: impulse of loads and cracks whose
 /// energy was settled; and, where the ledger is kept, change of strain, work of gravity, surface
 /// loads, contact and supports, losses. O(vertices + contacts), beside the pass over elements that

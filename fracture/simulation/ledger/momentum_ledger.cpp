@@ -17,17 +17,11 @@ double moment_of_loads(const AdoptedPart& part, const std::vector<char>& touched
   return is_struck(touched, row) || !floats ? 0 : 0.5;
 }
 
-bool is_wave(const AdoptedPart& part) { return part.input.part.deformation == Deformation::wave; }
-
 /// m: where weight acts on a free component.
 Vec3 place_of_weight(const AdoptedPart& part, const Component& c) {
   const std::size_t row = c.id.index();
   const Vec3& start = part.before.centre[row];
   if (part.result.trace) return part.result.trace->weight_place[row];
-  if (is_wave(part)) {
-    const double share = share_in_wave(part, c);
-    return start + (1 - share) * part.input.settings.time_step / c.mass * part.before.momentum[row];
-  }
   return start + moment_of_loads(part, part.result.touched, row) * (c.centre - start);
 }
 
@@ -35,10 +29,6 @@ Vec3 place_of_weight(const AdoptedPart& part, const Component& c) {
 Vec3 place_of_load(const AdoptedPart& part, const Component& c, VertexId v) {
   const std::size_t row = c.id.index();
   const Vec3& start = part.before.position[v.index()];
-  if (is_wave(part)) {
-    const double h = part.input.settings.time_step;
-    return start + (1 - WaveScheme::theta) * h / c.mass * part.before.momentum[row];
-  }
   const Vec3 arm = part.before.orientation[row].conjugate() * (start - part.before.centre[row]);
   const Vec3 end = c.centre + c.orientation * arm;
   return start + moment_of_loads(part, part.result.touched, row) * (end - start);
@@ -72,11 +62,18 @@ void take_contacts(std::vector<Impulse>& supports, const AdoptedPart& part) {
   }
 }
 
-/// Calls `visit(component, impulse)` for the surface load of each node that the part moved.
+/// Calls `visit(component, impulse)` for the surface loads on what the part moved, in pieces.
 template <class Visit>
 void for_each_load(const AdoptedPart& part, Visit visit) {
   const MechanicsState& m = part.state.mechanics;
   const std::vector<Vec3>& force = part.input.loads.force;
+  if (part.result.trace) {
+    for_each_living(m, part.input.members, [&](const Component& c) {
+      const Impulse& given = part.result.trace->loads[c.id.index()];
+      if (!given.isZero(0)) visit(c, given);
+    });
+    return;
+  }
   for (std::size_t v = 0; v < force.size(); ++v) {
     const Component& c = m.components[m.vertices.component[v].index()];
     if (!part.input.members.has(c.id) || force[v].isZero(0)) continue;
@@ -108,18 +105,14 @@ void add_weight_of_balls(MomentumLedger& ledger, const AdoptedPart& part) {
   for (std::size_t k = 0; k < part.state.obstacles.size(); ++k) {
     const Obstacle& ball = part.state.obstacles[k];
     if (!ball.mass || !part.input.members.has_ball(k)) continue;
-    const Obstacle& before = part.before.obstacles[k];
-    const Vec3 start = pose_of(before.shape).centre;
-    const std::vector<char>& touched = part.result.ball_touched;
-    const double old_share = is_struck(touched, k) ? 0 : 0.5;
     if (part.result.trace) {
       ledger.gravity += impulse_at(part.result.trace->ball_weight_place[k],
                                    h * *ball.mass * part.input.loads.gravity);
       continue;
     }
-    const Vec3 way = is_wave(part) ? Vec3(old_share * h * before.velocity)
-                                   : Vec3(moment_of_loads(part, touched, k) *
-                                          (pose_of(ball.shape).centre - start));
+    const Vec3 start = pose_of(part.before.obstacles[k].shape).centre;
+    const Vec3 way =
+        moment_of_loads(part, part.result.ball_touched, k) * (pose_of(ball.shape).centre - start);
     ledger.gravity += impulse_at(start + way, h * *ball.mass * part.input.loads.gravity);
   }
 }

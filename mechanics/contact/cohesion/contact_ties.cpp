@@ -147,7 +147,7 @@ ContactPoint contact_of(const TiePair& pair) {
 }
 
 double measure_tie(Constraint& row, const TiePair& pair, const Vec3& impulse,
-                   const StepPaths& paths, std::span<const Vec3> velocity) {
+                   const StepPaths& paths) {
   const double h = paths.time_step;
   const Vec3 end = opening_at_end(pair, paths);
   row.normal = pair.normal;
@@ -159,11 +159,6 @@ double measure_tie(Constraint& row, const TiePair& pair, const Vec3& impulse,
   row.compliance = give_of(pair, h);
   row.impulse = impulse;
   row.slip = end;
-  if (!velocity.empty()) {
-    row.slip =
-        velocity[pair.a.index()] - velocity[pair.b.index()] + opening_at_start(pair, paths) / h;
-    row.compliance /= h;
-  }
   if (!(bond.response > 0)) return row.slip.norm();
   return (bond_wanted(row, row.slip) - impulse).norm() * bond.response;
 }

@@ -45,10 +45,9 @@ ContactPoint contact_of(const TiePair& pair);
 
 /// Opening, give and bound of a row of a tie for a step as it is predicted: bounds are the means of
 /// the law over the openings predicted, so that each solve is convex and the next pass follows the
-/// law. `velocity`: where the row is one of velocities (`Deformation::wave`), predicted, |V|, else
-/// empty. Gives how far the row is from its law, m (m/s).
+/// law. Gives how far the row is from its law, m.
 double measure_tie(Constraint& row, const TiePair& pair, const Vec3& impulse,
-                   const StepPaths& paths, std::span<const Vec3> velocity);
+                   const StepPaths& paths);
 
 /// m, world: by how much A is off B before and after.
 struct TieOpening {

@@ -127,7 +127,7 @@ bool detect_contacts(ContactStep& step) {
   }
   find_contacts(scratch, step.memory, paths_of(step), step.settings);
   if (step.is_wave() && may_overlap(paths_of(step), step.settings)) {
-    // A whole step looks for overlaps in its last passes; a sub-step has few passes and looks at once.
+    // A whole step looks for overlaps in its last passes; an explicit part looks once.
     find_overlaps(scratch, paths_of(step), step.settings, 0);
   }
   if (step.look == ContactStep::Look::resting) leave_to_next_pass(step);
@@ -219,7 +219,7 @@ std::array<Component*, 2> sides_of(const ContactStep& step, const ContactPoint& 
 }
 
 Vec3 relative_shift(const ContactStep& step, const ContactPoint& contact) {
-  if (step.is_explicit()) return Vec3::Zero();
+  if (step.is_wave()) return Vec3::Zero();
   const MechanicsState& state = step.pass.state;
   const std::span<const Corners> corners = step.pass.input.corners;
   const auto of_body = [&](ComponentId id, const TouchedNodes& nodes) {
@@ -236,7 +236,6 @@ Vec3 relative_shift(const ContactStep& step, const ContactPoint& contact) {
 
 double predicted_gap_error(const ContactStep& step, const ContactPoint& contact,
                            const ContactPath& path) {
-  if (step.is_wave() && !step.is_explicit()) return wave_gap_error(step, contact);
   return gap_end(contact, path) + contact.normal.dot(relative_shift(step, contact)) -
          target_gap(contact);
 }
@@ -252,7 +251,7 @@ bool meet(ContactStep& step, double deepest) {
     const std::vector<ComponentId> woken = wake(step, deepest);
     if (woken.empty()) break;
     // The prediction of explicit steps is the present motion, on any rung.
-    if (step.is_explicit()) continue;
+    if (step.is_wave()) continue;
     predict(step.pass.mechanics, step.pass.state, step.pass.input, woken);
     clear = detect_contacts(step) && clear;
   }

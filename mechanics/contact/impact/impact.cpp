@@ -2,15 +2,7 @@
 // The scales of an impact: extents, wave speeds, thresholds.
 #include "mechanics/contact/impact/impact.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 namespace sunder {
-
-double wave_sub_step(const MechanicsState& state, const Component& component,
-                     const ImpactSettings& settings) {
-  return std::max(settings.fraction * extent_travel(state, component), 0.5 * component.cell_travel);
-}
 
 bool is_blow(const MechanicsState& state, const Component& component, double speed, double strength,
              const ImpactSettings& settings) {

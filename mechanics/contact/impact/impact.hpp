@@ -14,16 +14,12 @@ namespace sunder {
 /// Blows that lie ahead in a step, or were felt in a sub-step.
 struct Blows {
   double time = std::numeric_limits<double>::infinity();  ///< s, from the step's start to the first
-  /// s, the longest sub-step that resolves them.
+  /// s, the longest sub-step that resolves them: the least `Component::cell_travel` of the struck.
   double sub_step = std::numeric_limits<double>::infinity();
   std::vector<ComponentId> struck;  ///< ascending, none twice
   /// Struck, but without the energy to break (`ImpactEnergy`): by which bound.
   std::vector<ComponentId> spared_by_pair, spared_by_island;
 };
-
-/// Longest sub-step that resolves a blow on the component, s.
-double wave_sub_step(const MechanicsState& state, const Component& component,
-                     const ImpactSettings& settings);
 
 /// Whether `speed` (m/s, at which two surfaces meet) is a blow for the component: rho c v reaches
 /// the part of its strength (Pa, of its weakest vertex) that is not negligible. A hard wall gives

@@ -40,7 +40,7 @@ class BlowJudge {
         break;
     }
     blows.struck.push_back(component.id);
-    blows.sub_step = std::min(blows.sub_step, wave_sub_step(state, component, impact));
+    blows.sub_step = std::min(blows.sub_step, component.cell_travel);
     return true;
   }
 

@@ -19,18 +19,12 @@ namespace {
 Vec3 centre_of(const Obstacle& free) { return pose_of(free.shape).centre; }
 
 /// What A^-1 of a part of a step is multiplied by in the response to a unit impulse that is spread
-/// over the part as a force: displacement beta h^2 over the part's length, or velocity in a wave.
+/// over the part as a force: displacement beta h^2 over the part's length.
 double response_scale(const ContactPass& pass, const Component& component) {
   const StepInput& input = pass.input;
-  if (input.part.deformation == Deformation::wave) return 1;
   const double h = input.deformation_step(component);
   const double rho = settings_of(input, pass.state, component).rho_infinity;
   return generalised_alpha(rho).beta * h * (h / input.settings.time_step);
-}
-
-/// The factor with which blows are solved in this part of a step.
-FactorUse use_of(const ContactPass& pass) {
-  return pass.input.part.deformation == Deformation::wave ? FactorUse::wave : FactorUse::step;
 }
 
 /// Vertices of slots that are free, by their numbers in the system, and their slots.
@@ -77,9 +71,8 @@ void respond_elastically(RespondingBody& body, const ContactPass& pass, const Co
     }
     return;
   }
-  const FactorUse use = use_of(pass);
-  const std::vector<std::uint32_t> places = touch_compliance(system, local, use);
-  const SystemFactor& factor = factor_of(system, use);
+  const std::vector<std::uint32_t> places = touch_compliance(system, local);
+  const SystemFactor& factor = system.step;
   const double scale = response_scale(pass, component);
   if (!component.supported) {
     body.rigid_mass = scale / (factor.matrix.mass * component.mass);
@@ -102,7 +95,7 @@ void solve_for_columns(const ContactBodies& bodies, const ContactPass& pass) {
     const Component& component = pass.state.components[bodies.component[b].index()];
     if (!responds_elastically(pass, component)) continue;
     note_touched(*pass.state.systems.present[component.id.index()],
-                 free_slots(pass, bodies.slots[b]).local, use_of(pass), missing);
+                 free_slots(pass, bodies.slots[b]).local, missing);
   }
   // What one thread could take from the other must be worth starting it.
   std::size_t rows = 0;
@@ -277,7 +270,7 @@ Constraint row_of(const ContactPoint& contact, const ContactBodies& bodies,
     add_end(row,
             {bodies.body_of_ball[contact.ball], ContactEnd::no_slot, 1, arm, Vec3::Zero(), {}});
   }
-  const Vec3 place = place_of_side_a(pass, contact) + drift_of(pass, contact);
+  const Vec3 place = place_of_side_a(pass, contact);
   if (contact.obstacle == ContactPoint::none) {
     add_node_ends(row, touched_nodes(contact, pass.state, pass.input.corners),
                   component_of_b(contact, pass.state), -1, place, bodies, pass);
@@ -290,14 +283,6 @@ Constraint row_of(const ContactPoint& contact, const ContactBodies& bodies,
         {bodies.body_of_ball[contact.obstacle], ContactEnd::no_slot, -1, arm, Vec3::Zero(), {}});
   }
   return row;
-}
-
-/// m: how far the place where impulses act on a component goes with it in a wave; see `drift_of`.
-Vec3 way_in_wave(const ContactPass& pass, ComponentId id) {
-  const Component& component = pass.state.components[id.index()];
-  const Vec3 velocity = component.supported ? component.frame_velocity
-                                            : Vec3(component.momentum / component.mass);
-  return pass.input.settings.time_step * (1 - WaveScheme::theta) * velocity;
 }
 
 /// The enlisted bodies and their rows.
@@ -331,20 +316,6 @@ Vec3 place_of_side_a(const ContactPass& pass, const ContactPoint& contact) {
   const Shape& ball = pass.obstacles[contact.ball].shape;
   const Vec3 place = point_of_obstacle(contact, ball);
   return contact.is_sphere_a() ? Vec3(place - radius_of(ball) * contact.normal) : place;
-}
-
-Vec3 way_of_impulse(const ContactPass& pass, const ContactPoint& contact) {
-  if (pass.input.part.deformation != Deformation::wave) return Vec3::Zero();
-  return contact.is_body_a() ? way_in_wave(pass, component_of_a(contact, pass.state))
-                             : Vec3::Zero();
-}
-
-Vec3 drift_of(const ContactPass& pass, const ContactPoint& contact) {
-  if (pass.input.part.deformation != Deformation::wave) return Vec3::Zero();
-  const Vec3 way_of_b = contact.is_body_b()
-                            ? way_in_wave(pass, component_of_b(contact, pass.state))
-                            : Vec3::Zero();
-  return way_of_impulse(pass, contact) - way_of_b;
 }
 
 void gather_bodies(ContactBodies& bodies, std::span<const ContactPoint> contacts,

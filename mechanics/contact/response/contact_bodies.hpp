@@ -27,13 +27,6 @@ struct ContactBodies {
 struct StepBlows {
   std::vector<char> component_touched, ball_touched;
   std::vector<Vec3> vertex_impulse;  ///< |V|, N s: what deforms a component of floating_frame
-  /// Row = ComponentId, N m s, of waves only: what the moment of the contacts exceeds that of the
-  /// vertices by that they act on.
-  std::vector<Vec3> component_twist;
-  /// Row = ComponentId, N s, of waves only: what larger rigid pieces get at their mass centres.
-  std::vector<Vec3> component_push;
-  std::vector<Vec3> ball_impulse;       ///< N s, of waves only, like the next
-  std::vector<Vec3> ball_twist;         ///< N m s, about the ball's centre
   Loads without_gravity, with_gravity;  ///< `force` is filled by `predict_touched`
 };
 
@@ -51,15 +44,6 @@ bool takes_split_blow(const ContactPass& pass, const Component& component);
 
 /// m: a contact's vertex, the point of its ball, or the corner, in the state as it is.
 Vec3 place_of_side_a(const ContactPass& pass, const ContactPoint& contact);
-
-/// m: from where side A of a contact is at the start to where its impulse acts; 0 but in a wave.
-/// There an impulse moves a mass centre by theta of its way over the part, which is as if it acted
-/// at a place that goes the rest of the way with the body.
-Vec3 way_of_impulse(const ContactPass& pass, const ContactPoint& contact);
-
-/// m: from where side A is at the start to where its impulse acts on side B, as B feels it; the
-/// same place for both sides keeps the angular momentum.
-Vec3 drift_of(const ContactPass& pass, const ContactPoint& contact);
 
 /// Makes the bodies that `contacts` act on, with their response over the coming step, and the ends
 /// of their rows. Costs three back-solves for each contact vertex the first time it is met.

@@ -134,27 +134,12 @@ void describe(V& v, ContactSettings& c) {
       c.max_contacts_per_pair);
 }
 
-inline const Names<ImpactScheme>& names_of(ImpactScheme) {
-  static const Names<ImpactScheme> names = {{ImpactScheme::implicit, "implicit"},
-                                            {ImpactScheme::central, "explicit"}};
-  return names;
-}
-
 template <class V>
 void describe(V& v, ImpactSettings& i) {
   v.field(Key{"window", "",
               "Whether struck pieces are sub-stepped while the waves run; without it the time step "
               "decides the cracks of an impact"},
           i.window);
-  v.field(Key{"scheme", "",
-              "Sub-steps of impacts: implicit, one step each, contact through the compliance of "
-              "the bodies; explicit, central differences on lumped masses in as many steps as are "
-              "stable, contact by impulses in each"},
-          i.scheme);
-  v.field(
-      Key{"fraction", "", "Largest sub-step over L/c, the time in which a wave crosses the piece",
-          Range{.low = 0, .high = 1, .without_low = true}, false, "", true},
-      i.fraction);
   v.field(
       Key{"negligible", "",
           "Share of the tensile strength below which the stress rho c v of an impact is ignored",

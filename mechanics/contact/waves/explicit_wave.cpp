@@ -97,8 +97,26 @@ void kick_all(WaveScratch& wave, double length) {
   for (WaveRigid& body : wave.contacts.rigid) {
     body.velocity_before = body.velocity;
     body.spin_before = body.spin;
-    body.velocity += length * body.fall;
+    body.velocity += length * (body.fall + body.inverse_mass * body.push);
+    body.spin += body.inverse_inertia * (length * body.torque);
+    body.twist += length * body.torque;
     body.weight_place += length * body.centre;
+    body.loads += impulse_at(body.centre, length * body.push);
+    body.loads.tail<3>() += length * body.torque;
+  }
+}
+
+/// Adds the works of a kick of `length` s, once its impulses are known.
+void measure_works(WaveScratch& wave, double length) {
+  if (!wave.bodies.measures_work) return;
+  for (WaveBody& body : wave.bodies.bodies) measure_work(wave.bodies, body);
+  if (!wave.bodies.has_loads) return;
+  for (const WaveRigid& body : wave.contacts.rigid) {
+    // Supports take the work of loads on the bodies that they lead.
+    if (body.inverse_mass == 0) continue;
+    wave.contacts.work.loads += 0.5 * length *
+                                (body.push.dot(body.velocity_before + body.velocity) +
+                                 body.torque.dot(body.spin_before + body.spin));
   }
 }
 
@@ -164,9 +182,7 @@ int run_steps(WaveScratch& wave, ContactStep& step, StepCount count) {
     measure_gaps(wave.contacts, bodies.nodes, k * h);
     solve_impulses(wave, step, {h, share, share / last, k < end}, tolerance);
     last = share;
-    if (bodies.measures_work) {
-      for (WaveBody& body : bodies.bodies) measure_work(bodies, body);
-    }
+    measure_works(wave, share * h);
     if (k < end) drift_all(wave, h);
   }
   put_back_stresses(wave, step.pass.state);
@@ -242,8 +258,6 @@ void write_rigid(const WaveRigid& body, ContactStep& step) {
 void write_obstacle(const WaveRigid& body, ContactStep& step) {
   StepBlows& blows = step.scratch.blows;
   const Obstacle& free = step.pass.obstacles[body.obstacle];
-  blows.ball_impulse[body.obstacle] = body.impulse;
-  blows.ball_twist[body.obstacle] = body.twist;
   blows.ball_touched[body.obstacle] = !body.impulse.isZero(0);
   step.scratch.ball_end[body.obstacle] = {
       body.centre, body.impulse.isZero(0) ? turned_obstacle(free, body.angular_momentum, step.h())
@@ -269,8 +283,10 @@ void write_contacts(WaveScratch& wave, ContactStep& step) {
 void trace(WaveTrace& trace, const WaveScratch& wave, const ContactStep& step) {
   trace.weight_place.assign(step.pass.state.components.size(), Vec3::Zero());
   trace.ball_weight_place.assign(step.pass.obstacles.size(), Vec3::Zero());
+  trace.loads.assign(step.pass.state.components.size(), Impulse::Zero());
   for (const WaveBody& body : wave.bodies.bodies) {
     trace.weight_place[body.id.index()] = body.weight_place / step.h();
+    trace.loads[body.id.index()] = body.loads;
     trace.work.inner += body.work.inner;
     trace.work.gravity += body.work.gravity;
     trace.work.loads += body.work.loads;
@@ -282,9 +298,11 @@ void trace(WaveTrace& trace, const WaveScratch& wave, const ContactStep& step) {
       trace.ball_weight_place[body.obstacle] = place;
     } else {
       trace.weight_place[body.component.index()] = place;
+      trace.loads[body.component.index()] = body.loads;
     }
   }
   trace.contact = wave.contacts.work;
+  trace.work.loads += trace.contact.loads;
   trace.work.supports -= trace.contact.on_held;
   trace.bonds = wave.bonds.numerical;
 }
@@ -323,6 +341,16 @@ void take_explicit_part(ContactStep& step) {
   });
   write_contacts(wave, step);
   trace(step.trace.emplace(), wave, step);
+}
+
+void move_free_obstacles(ContactStep& step) {
+  for (const WaveRigid& body : step.scratch.wave->contacts.rigid) {
+    if (!body.component.is_none()) continue;
+    Obstacle& free = step.pass.obstacles[body.obstacle];
+    put(free.shape, step.scratch.ball_end[body.obstacle]);
+    free.velocity = body.velocity;
+    free.spin = spin_of(free, body.angular_momentum + body.twist);
+  }
 }
 
 TieReport finish_explicit_ties(ContactStep& step) {

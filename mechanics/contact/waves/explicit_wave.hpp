@@ -39,7 +39,7 @@ void make_rows(WaveScratch& wave, const ContactStep& step, double count);
 /// Bonds of the ties of the part, likewise.
 void take_ties(WaveScratch& wave, ContactStep& step, double count);
 
-/// Takes the part at hand (`StepPart::is_explicit`) in explicit steps, into `predicted`:
+/// Takes the part at hand (`Deformation::wave`) in explicit steps, into `predicted`:
 /// - contacts along the ways that everything would go in `StepPart::contacts_for`, or those of the
 ///   part before with the crack faces as they are now;
 /// - central differences (velocity Verlet): half a kick, then drifts with kicks between them, half
@@ -49,6 +49,9 @@ void take_ties(WaveScratch& wave, ContactStep& step, double count);
 /// is the one taken. The step is at most 0.9 of the stable one (`stable_step`). Momentum and
 /// angular momentum are conserved to rounding.
 void take_explicit_part(ContactStep& step);
+
+/// Free obstacles where the part has led them. Needs: `take_explicit_part`.
+void move_free_obstacles(ContactStep& step);
 
 /// The report of the ties after the part. Their impulses go to `step.tied`.
 TieReport finish_explicit_ties(ContactStep& step);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mechanics/contact/waves/wave_bodies.hpp"
+#include "mechanics/state/impulse.hpp"
 
 namespace sunder {
 
@@ -25,9 +26,12 @@ struct WaveRigid {
   Vec3 turned{0, 0, 0};                                 ///< rad, since the last turn
   double since_turn = 0;                                ///< s
   Vec3 impulse{0, 0, 0};                                ///< N s, got in the part from contacts
-  Vec3 twist{0, 0, 0};         ///< N m s, likewise, about its centre where that was
+  Vec3 twist{0, 0, 0};         ///< N m s, from contacts and loads, about its centre where that was
   Vec3 fall{0, 0, 0};          ///< m/s^2: gravity, where it acts
   Vec3 weight_place{0, 0, 0};  ///< m s: places of the centre, times the lengths of steps
+  Vec3 push{0, 0, 0};          ///< N: surface loads
+  Vec3 torque{0, 0, 0};        ///< N m, about the centre, as the part begins: of surface loads
+  Impulse loads = Impulse::Zero();  ///< N s and N m s about the origin: got from them
 };
 
 /// A share of a side at a node.

@@ -140,6 +140,7 @@ void read_motion(WaveBodies& waves, WaveBody& body, const MechanicsState& state,
   body.frame = {component.centre, component.orientation};
   if (component.supported) body.frame_velocity = component.frame_velocity;
   body.weight_place.setZero();
+  body.loads.setZero();
   body.kicked = {};
   body.work = {};
   for (std::size_t node = body.first_node; node < body.end_node; ++node) {

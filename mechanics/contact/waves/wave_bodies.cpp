@@ -219,11 +219,25 @@ void find_forces(WaveBodies& waves, WaveBody& body) {
   body.kicked = {R, Q, 0};
 }
 
+namespace {
+
+/// Adds what surface loads give a body in `step` s.
+void note_loads(const WaveBodies& waves, WaveBody& body, double step) {
+  const WaveNodes& nodes = waves.nodes;
+  for (std::size_t i = body.first_node; i < body.end_node; ++i) {
+    const Vec3 force = nodes.mass[i] * (row_of(nodes.load, i) - waves.gravity);
+    body.loads += impulse_at(row_of(nodes.position, i), step * force);
+  }
+}
+
+}  // namespace
+
 void kick(WaveBodies& waves, WaveBody& body, double step) {
   WaveNodes& nodes = waves.nodes;
   const Mat3 &R = body.kicked.R, &Q = body.kicked.Q;
   body.kicked.step = step;
   body.weight_place += step * body.frame.centre;
+  if (waves.has_loads) note_loads(waves, body, step);
   begin_scaled_kick(nodes, body, R);
   add_acceleration(nodes, body.first_node, body.end_node, turned(R, Vec3::Zero()),
                    turned(Q, Vec3::Zero()), step);

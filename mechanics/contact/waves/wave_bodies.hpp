@@ -9,6 +9,7 @@
 #include "mechanics/contact/waves/element_blocks.hpp"
 #include "mechanics/contact/waves/scaled_cells.hpp"
 #include "mechanics/contact/waves/wave_work.hpp"
+#include "mechanics/state/impulse.hpp"
 #include "mechanics/state/pose.hpp"
 #include "mechanics/state/step_input.hpp"
 
@@ -58,6 +59,7 @@ struct WaveBody {
   Vec3 frame_velocity{0, 0, 0};  ///< m/s, of a supported one
   Pose frame;                    ///< algorithm 2 where the nodes were at the last kick
   Vec3 weight_place{0, 0, 0};    ///< m s: places of the mass centre, times the lengths of kicks
+  Impulse loads = Impulse::Zero();  ///< N s and N m s about the origin: got from surface loads
   /// The last forces and their kick: R, R [y]x of the torque's share, and its length, s.
   struct Kick {
     Mat3 R = Mat3::Identity(), Q = Mat3::Zero();

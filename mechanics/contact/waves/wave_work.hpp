@@ -12,9 +12,11 @@ struct WaveWork {
   double supports = 0;  ///< J
 };
 
-/// Works of contacts in a part, J: on bodies, by friction, and by pushing deep sides out.
+/// Works of contacts in a part, J: on bodies, by friction, and by pushing deep sides out. And of
+/// loads on the rigid bodies among them.
 struct RowWork {
   double contact = 0, friction = 0, push_out = 0;
+  double loads = 0;    ///< of surface loads on rigid bodies
   double on_held = 0;  ///< of contacts and bonds on nodes that supports hold
 };
 

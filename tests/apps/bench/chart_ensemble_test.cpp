@@ -33,7 +33,7 @@ std::string thrown_cube(const test::Workplace& here) {
 Chart chart_of(ChartArguments arguments) {
   arguments.methods = {"floating_frame"};
   arguments.steps = {1e-3};
-  arguments.fractions = {0.25};
+  arguments.windows = {"on"};
   arguments.levels = 0;
   arguments.exact = "1";
   Result<Chart> chart = make_chart(arguments, [](const std::string&) {});

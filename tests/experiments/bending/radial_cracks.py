@@ -105,7 +105,7 @@ def main():
     frames = {"time_step": arguments.step or 1e-6, "model": "corotational",
               "integrator": {"method": "sub_stepped", "damping": {"stiffness_factor": arguments.viscosity}}}
     if arguments.one_frame:
-        frames = {"time_step": arguments.step or 1e-5, "impact": {"fraction": 0.25}}
+        frames = {"time_step": arguments.step or 1e-5}
     radius = arguments.radius
     print("| order | cells | km/h | first fan, us | sectors at 0.27, 0.42, 0.57 of the radius, by mesh | pieces | s | warnings |\n"
           "|---|---|---|---|---|---|---|---|")

@@ -58,7 +58,6 @@ Scene scene_of(const HertzImpact& impact) {
   scene.gravity.acceleration.setZero();
   scene.contact.friction = 0;
   scene.contact.max_contacts_per_pair = 1024;
-  scene.impact.fraction = impact.fraction;
   scene.impact.negligible = 1e-6;
   scene.fracture.mode = FractureMode::off;
   return scene;

@@ -15,7 +15,6 @@ struct HertzImpact {
   double smallest = 0.02;  ///< width of the cells in the middle, m
   double speed = 3;        ///< m/s; waves need c / speed times less time than the way it goes
   double poisson_ratio = 0.2;
-  double fraction = 0.0625;  ///< `ImpactSettings::fraction`
 };
 
 /// What came of it, over Hertz's answer but for what is said.

@@ -67,7 +67,7 @@ def base_scene(name):
     scene["duration"] = 10 * scene["time_step"]
     scene.setdefault("display_time_constant", 0.05)
     scene.setdefault("fracture", {}).update({"mode": "budget", "budget_time": 0.01, "smallest_piece": 0})
-    scene.setdefault("impact", {}).setdefault("fraction", 0.1)
+    scene.setdefault("impact", {}).setdefault("negligible", 0.1)
     scene.setdefault("ladder", {}).setdefault("sleep_after", 0.5)
     scene["output"] = {"frames": 1, "checkpoint": {"steps": 5, "minutes": 0}}
     return scene

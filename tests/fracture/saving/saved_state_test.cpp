@@ -157,8 +157,6 @@ TEST_CASE("cracks go on to the same bytes however they are found", "[fracture][s
 
 TEST_CASE("windows, borders and open cracks go on to the same bytes", "[fracture][saved_state]") {
   Scene scene;
-  scene.impact.scheme = GENERATE(ImpactScheme::implicit, ImpactScheme::central);
-  INFO("scheme " << static_cast<int>(scene.impact.scheme));
   scene.fracture.crack = CrackMode::paper;
   scene.integrator.time_step = 1e-4;
   scene.bodies.push_back({.mesh = kuhn_box({6, 4, 3}, 0.05),

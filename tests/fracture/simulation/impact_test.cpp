@@ -93,7 +93,7 @@ TEST_CASE("a body that touches in the middle of a step is struck there, in sub-s
   CHECK(end == Approx(step));
   CHECK(sim.state->mechanics.time == Approx(step));
   const double fine = sim.state->impact.sub_step;
-  CHECK(fine <= ImpactSettings{}.fraction * travel() * (1 + 1e-12) + 0.5 * 0.1 / 3000);
+  CHECK(fine <= sim.state->mechanics.components[0].cell_travel * (1 + 1e-12));
   CHECK(touched > share * step - 1.001 * fine);
   CHECK(touched < share * step + 1.001 * fine);
 }
@@ -350,12 +350,12 @@ TEST_CASE("a step of any length that breaks in a window gives the same bytes twi
 }
 
 TEST_CASE("settings of impacts out of range are told", "[fracture][impact]") {
-  const ImpactSettings wrong{.fraction = 0, .negligible = 2, .max_sub_steps = 0};
+  const ImpactSettings wrong{.negligible = 2, .at_once = 0, .max_sub_steps = 0};
   const std::vector<Finding> findings = check_settings(wrong, "impact");
   REQUIRE(findings.size() == 3);
-  CHECK(findings[0].text == "impact.fraction is 0; allowed is above 0 and at most 1");
+  CHECK(findings[0].text == "impact.negligible is 2; allowed is above 0 and at most 1");
   CHECK(check_settings(ImpactSettings{}, "impact").empty());
-  const ImpactSettings nan{.fraction = std::nan("")};
+  const ImpactSettings nan{.negligible = std::nan("")};
   CHECK(check_settings(nan, "impact").size() == 1);
 }
 

@@ -150,9 +150,7 @@ TEST_CASE("a crack takes G_c times its area, whatever the scene's step", "[ties]
   const auto order = GENERATE(1u, 2u);
   if (order == 2 && step < 1e-4) return;  // ten minutes
   INFO("step " << step << ", order " << order);
-  Scene scene = pulled_bar(step, 0.05, order);
-  scene.impact.scheme = GENERATE(ImpactScheme::implicit, ImpactScheme::central);
-  Simulation sim = built(std::move(scene));
+  Simulation sim = built(pulled_bar(step, 0.05, order));
   const Taken taken = part(sim, 2.5e-3);
   const double section = 0.75 * height * thick;
   CHECK(living_components(sim.state->mechanics).size() == 2);
@@ -406,9 +404,7 @@ TEST_CASE("what does not go with ties is refused, and doubtful materials are tol
 }
 
 TEST_CASE("a run saved amid open ties goes on to the same bytes", "[ties]") {
-  Scene scene = pulled_bar(1e-4, 0.05, GENERATE(1u, 2u));
-  scene.impact.scheme = GENERATE(ImpactScheme::implicit, ImpactScheme::central);
-  Simulation sim = built(std::move(scene));
+  Simulation sim = built(pulled_bar(1e-4, 0.05, GENERATE(1u, 2u)));
   while (sim.state->contact.ties.empty()) advance_fine(sim);
   for (int i = 0; i < 2; ++i) advance_fine(sim);
   REQUIRE_FALSE(sim.state->contact.ties.empty());

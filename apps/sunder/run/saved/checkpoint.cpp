@@ -70,8 +70,7 @@ constexpr auto member_names(const EnergyLedger*) {
 }
 constexpr auto member_names(const TieStatistics*) { return names("sum", "releases", "released"); }
 constexpr auto member_names(const TieReport*) {
-  return names("pairs", "opening", "iterations", "residual", "work", "dissipated", "stored",
-               "torn");
+  return names("pairs", "opening", "residual", "work", "dissipated", "stored", "torn");
 }
 constexpr auto member_names(const TiesOfCrack*) {
   return names("tied", "released", "area", "due", "energy");
