@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// `cohesive [--implicit] [MESH... | --cost]`: notched bars pulled apart through ties. It compares
-// the energy of the crack with G_c times the section, at steps of any length. Bars are of cubes, or
-// MESHes of the box 0.8 x 0.4 x 0.1 m. `--implicit`: implicit sub-steps of impacts. `--cost`: the
-// time of a sub-step with a growing crack, compared with mode `object`.
+// `cohesive [MESH... | --cost]`: notched bars pulled apart through ties. It compares the energy of
+// the crack with G_c times the section, at steps of any length. Bars are of cubes, or MESHes of the
+// box 0.8 x 0.4 x 0.1 m. `--cost`: the time of a sub-step with a growing crack, compared with mode
+// `object`.
 #include <sys/resource.h>
 
 #include <algorithm>

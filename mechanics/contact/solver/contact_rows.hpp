@@ -81,7 +81,7 @@ struct ContactConstraint {
 struct CohesiveBond {
   double most = 0;               ///< N s: the effective pull that the bond bears (`bond_kept`)
   double sliding_stiffness = 1;  ///< no unit: across over along the normal (tie_law.hpp)
-  /// m/(N s): `bond_response`, or a bound of it (solve_ties.cpp). A solve sets it, and measures of
+  /// m/(N s): `bond_response`, or a bound of it. A solve sets it, and measures of
   /// the row until the next solve need it (`measure_tie`).
   double response = 0;
 };

@@ -128,8 +128,8 @@ TEST_CASE("two equal blocks head-on keep their momentum exactly and never gain e
 
 TEST_CASE("pieces that meet off centre with friction keep their momentum and angular momentum",
           "[mechanics][contact]") {
-  // Every way in which an impulse reaches a body: split between frame and deformation, forces of a
-  // wave, jumps of velocities, whole bodies of one tetrahedron.
+  // Every way in which an impulse reaches a body: split between frame and deformation, explicit
+  // steps, jumps of velocities, whole bodies of one tetrahedron.
   struct Way {
     Integrator integrator;
     Deformation deformation;
@@ -154,7 +154,8 @@ TEST_CASE("pieces that meet off centre with friction keep their momentum and ang
   double passed = 0;
   const int steps = static_cast<int>(0.15 / way.time_step);
   for (int k = 0; k < steps; ++k) {
-    const ContactStepResult result = scene.step({.deformation = way.deformation});
+    const ContactStepResult result = scene.step({.deformation = way.deformation,
+                                                  .contacts_for = way.time_step});
     REQUIRE(result.status.outcome == StepOutcome::fine);
     for (const ContactPoint& c : result.contacts) passed += c.impulse.norm();
   }

@@ -170,11 +170,12 @@ TEST_CASE("factors under a border answer as fresh ones, crack after crack", "[me
   for (int trial = 0; trial < 12; ++trial) {
     INFO("trial " << trial);
     Cracking c = cracking_body(trial % 2 == 1, random, trial >= 8, order);
-    const SystemMatrix step{.mass = 1, .stiffness = 1e-8};
+    const SystemMatrix usual{.mass = 1, .stiffness = 1e-8}, other{.mass = 1, .stiffness = 2e-10};
     for (int round = 0; round < 12; ++round) {
       INFO("round " << round);
       ComponentSystem& system = built_system(c.state, c.body.corners, c.state.components[0]);
-      // Sometimes the factor is not asked for between two cracks.
+      // Sometimes the factor is not asked for between two cracks, or the step has changed.
+      const SystemMatrix& step = trial % 3 == 0 && round % 4 == 2 ? other : usual;
       if (round % 3 != 1) {
         factor_system(system, step);
         CHECK(error_of(c, system, step) < 1e-9);
