@@ -224,7 +224,7 @@ void add_support_work(EnergyLedger& ledger, const AdoptedPart& part, const Compo
 }
 
 /// Of explicit steps, which measure the work of each force themselves. Rigid members fall by their
-/// mass centres.
+/// mass centres. Carried ones do so again on the way on which they were taken back (`carry_back`).
 void add_explicit_work(EnergyLedger& ledger, const AdoptedPart& part, const WaveTrace& trace) {
   ledger.gravity += trace.work.gravity;
   ledger.loads += trace.work.loads;
@@ -236,7 +236,7 @@ void add_explicit_work(EnergyLedger& ledger, const AdoptedPart& part, const Wave
   ledger.numerical += trace.bonds;
   const MechanicsState& m = part.state.mechanics;
   for_each_living(m, part.input.members, [&](const Component& c) {
-    if (deforms_in_wave(c) || c.supported || c.rung == Rung::carried) return;
+    if (deforms_in_wave(c) || (c.supported && c.rung != Rung::carried)) return;
     ledger.gravity +=
         c.mass * part.input.loads.gravity.dot(c.centre - part.before.centre[c.id.index()]);
   });

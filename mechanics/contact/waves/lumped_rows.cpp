@@ -158,6 +158,44 @@ void measure_gaps(LumpedContacts& contacts, const WaveNodes& nodes, double elaps
   }
 }
 
+namespace {
+
+/// Adds to the spin of a body the moments that it does not contain yet. Gives their work on free
+/// components, J.
+double take_missed(WaveRigid& body) {
+  const Vec3 change = body.inverse_inertia * body.missed;
+  const double work = body.missed.dot(body.spin + 0.5 * change);
+  body.spin += change;
+  body.missed.setZero();
+  return body.inverse_mass > 0 && !body.component.is_none() ? work : 0;
+}
+
+/// Turns a body by what it has turned since its last turn. Gives the turn.
+Mat3 turn_of(WaveRigid& body) {
+  const Vec3 momentum = body.angular_momentum + body.twist;
+  const double energy = momentum.dot(body.inverse_inertia * momentum);
+  // The spin was taken as constant: its change without a torque, to second order.
+  const Vec3 gyration = body.inverse_inertia * body.spin.cross(momentum);
+  Eigen::Quaterniond by =
+      rotation_of(body.turned - 0.5 * body.since_turn * body.since_turn * gyration);
+  Mat3 R = by.toRotationMatrix();
+  const Mat3 inverse_inertia = R * body.inverse_inertia * R.transpose();
+  const Vec3 spin = inverse_inertia * momentum;
+  // The energy must stay: a turn by d changes half of it by d . (w x L).
+  const Vec3 slope = spin.cross(momentum);
+  const double error = 0.5 * (momentum.dot(spin) - energy);
+  if (std::abs(error) > 1e-15 * energy && slope.squaredNorm() > 0) {
+    by = rotation_of(-error / slope.squaredNorm() * slope) * by;
+    R = by.toRotationMatrix();
+  }
+  body.orientation = (by * body.orientation).normalized();
+  body.inverse_inertia = R * body.inverse_inertia * R.transpose();
+  body.spin = body.inverse_inertia * momentum;
+  return R;
+}
+
+}  // namespace
+
 void turn_rigid(LumpedContacts& contacts, double least) {
   std::vector<Mat3>& turn = contacts.turn;
   turn.assign(contacts.rigid.size(), Mat3::Identity());
@@ -166,15 +204,8 @@ void turn_rigid(LumpedContacts& contacts, double least) {
     WaveRigid& body = contacts.rigid[k];
     if (body.turned.norm() < least) continue;
     any = true;
-    const Vec3 momentum = body.angular_momentum + body.twist;
-    // The spin was taken as constant: its change without a torque, to second order.
-    const Vec3 gyration = body.inverse_inertia * body.spin.cross(momentum);
-    const double half = 0.5 * body.since_turn * body.since_turn;
-    const Eigen::Quaterniond by = rotation_of(body.turned - half * gyration);
-    turn[k] = by.toRotationMatrix();
-    body.orientation = (by * body.orientation).normalized();
-    body.inverse_inertia = turn[k] * body.inverse_inertia * turn[k].transpose();
-    body.spin = body.inverse_inertia * momentum;
+    contacts.work.contact += take_missed(body);
+    turn[k] = turn_of(body);
     body.turned.setZero();
     body.since_turn = 0;
   }
@@ -229,7 +260,9 @@ void settle_rows(LumpedContacts& contacts, const WaveBodies& waves) {
       if (side.rigid != LumpedSide::none) {
         WaveRigid& body = contacts.rigid[side.rigid];
         body.impulse += own;
-        body.twist += (place - body.centre).cross(own);
+        const Vec3 moment = (place - body.centre).cross(own);
+        body.twist += moment;
+        body.missed += moment - side.arm.cross(own);
       } else if (side.body != LumpedSide::none) {
         contacts.twist[side.body] += (place - side.place).cross(own);
       }

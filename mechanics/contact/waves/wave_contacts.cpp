@@ -56,7 +56,7 @@ bool takes_part(const ContactStep& step, const ContactPoint& contact) {
 /// m: how far a vertex may be from where it was expected: a share of the smallest mean cell of
 /// those that deform.
 double stray_limit(const ContactStep& step) {
-  constexpr double share = 0.04;
+  constexpr double share = 0.02;
   const MechanicsState& state = step.pass.state;
   double cell = std::numeric_limits<double>::infinity();
   for_each_living(state, step.pass.input.members, [&](const Component& c) {

@@ -77,6 +77,23 @@ TEST_CASE("what stands round an impact window keeps momentum and gains no energy
   CHECK(carried > 0);
 }
 
+TEST_CASE("the energy ledger closes where carried bodies fall", "[fracture][impact]") {
+  Scene scene = row_of_cubes(6, 2e-4);
+  scene.gravity.acceleration = {0, 0, -9.81};
+  scene.bodies[0].velocity = {2, 0.3, 0};
+  for (BodySettings& body : scene.bodies) body.velocity.z() = -3;
+  scene.energy_ledger = true;
+  Simulation sim = built(std::move(scene));
+  std::uint32_t carried = 0;
+  for (int k = 0; k < 20; ++k) {
+    const StepReport report = advance(sim);
+    carried = std::max(carried, report.impact.carried);
+    INFO("step " << k);
+    CHECK(std::abs(report.energy.residual) < 1e-4 * report.energy.moved);
+  }
+  CHECK(carried > 0);
+}
+
 TEST_CASE("a body that is carried and not touched ends with the bytes of its whole step",
           "[fracture][impact]") {
   Scene scene = row_of_cubes(3, 0.02);

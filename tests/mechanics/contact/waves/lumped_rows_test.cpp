@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "mechanics/integrators/rigid_motion.hpp"
 #include "tests/support/bodies.hpp"
 
 using namespace sunder;
@@ -180,4 +181,65 @@ TEST_CASE("a gap is closed and no more, and a deep side comes out at its push",
   const Vec3 slip = problem.velocity_of(problem.contacts.rows[0].sides[0]) -
                     problem.velocity_of(problem.contacts.rows[0].sides[1]);
   CHECK(slip.z() == Approx(expected));
+}
+
+TEST_CASE("a free rigid body keeps its energy as it turns, and turns as by short steps",
+          "[mechanics][waves]") {
+  std::mt19937 random(24);
+  Problem problem(random, 0);
+  problem.add_rigid({0, 0, 0}, {0, 0, 0});
+  WaveRigid& body = problem.contacts.rigid[0];
+  body.angular_momentum = {0.3, 4, 0.2};
+  body.spin = body.inverse_inertia * body.angular_momentum;
+  const Mat3 inertia = Vec3(1, 0.5, 1.0 / 3).asDiagonal();
+  const double energy = body.angular_momentum.dot(body.spin);
+  const double step = 1e-3;  // 0.008 rad
+  double time = 0;
+  for (int k = 0; k < 20000; ++k) {
+    body.turned += step * body.spin;
+    body.since_turn += step;
+    turn_rigid(problem.contacts, 0);
+    time += step;
+  }
+  CHECK(body.angular_momentum.dot(body.spin) == Approx(energy).epsilon(1e-11));
+  const Mat3 back = body.orientation.toRotationMatrix().transpose();
+  CHECK((back * body.inverse_inertia * back.transpose() - inertia.inverse()).norm() < 1e-10);
+  const Vec3& L = body.angular_momentum;
+  Eigen::Quaterniond expected{1, 0, 0, 0};
+  const int parts = 200000;
+  for (int k = 0; k < parts; ++k) {
+    expected = turn_through_step(expected, {inertia, Vec3::Zero(), L, L, time / parts});
+  }
+  CHECK(body.orientation.angularDistance(expected) < 1e-2);
+}
+
+TEST_CASE("the moment that a deep side misses is work that is counted", "[mechanics][waves]") {
+  std::mt19937 random(25);
+  Problem problem(random, 1);
+  problem.waves.measures_work = true;
+  row_of(problem.waves.nodes.velocity, 0) = Vec3(0.4, 0.3, -2);
+  problem.waves.velocity_before = problem.waves.nodes.velocity;
+  problem.add_rigid({0, 0, 0}, {0, 0, 0});
+  LumpedSide rigid;
+  rigid.rigid = 0;
+  rigid.is_component = true;
+  // Far from the node: a deep overlap.
+  rigid.arm = row_of(problem.waves.nodes.position, 0) + Vec3(0.1, 0.2, 0.3);
+  problem.add_row(problem.nodes_side({{0, 1.0}}, 0), rigid, Vec3::UnitZ(), 0.5);
+  WaveRigid& body = problem.contacts.rigid[0];
+  body.angular_momentum = {1, 2, 3};
+  body.spin = body.spin_before = body.inverse_inertia * body.angular_momentum;
+  const Mat3 inertia = body.inverse_inertia.inverse();
+  const auto energy = [&] {
+    const WaveNodes& nodes = problem.waves.nodes;
+    return 0.5 *
+           (nodes.mass[0] * row_of(nodes.velocity, 0).squaredNorm() +
+            body.velocity.squaredNorm() / body.inverse_mass + body.spin.dot(inertia * body.spin));
+  };
+  const double before = energy();
+  problem.solve(0.1, 100);
+  turn_rigid(problem.contacts, 0);
+  CHECK(problem.contacts.work.contact != 0);
+  CHECK((inertia * body.spin - body.angular_momentum - body.twist).norm() < 1e-12);
+  CHECK(energy() - before == Approx(problem.contacts.work.contact));
 }
