@@ -71,6 +71,8 @@ constexpr OutputColumn report_list[] = {
     {"impact.time", "s", "Simulated time computed in sub-steps."},
     {"impact.most_components", "", "Most components sub-stepped at once."},
     {"impact.most_carried", "", "Most neighbours carried along as rigid bodies."},
+    {"impact.most_scaled_cells", "",
+     "Most bad cells with more inertia against deformation, so that they do not set the step."},
     {"impact.coarseness", "",
      "Largest sub-step over the longest that resolves the impact; above 1 is too coarse."},
     {"ladder.component_steps", "",

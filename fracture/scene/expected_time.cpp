@@ -20,11 +20,9 @@ constexpr double never = std::numeric_limits<double>::infinity();
 /// s per tetrahedron of a step in resting contact, where bodies lie on bodies and where they do
 /// not.
 constexpr double of_heap = 30e-6, of_rest = 4e-6;
-/// s per tetrahedron of a sub-step after a breaking blow, with 40 sweeps in one pass, for a body of
-/// 3000; it grows with this power of the number.
-constexpr double of_sub_step = 2.4e-6, growth = 0.15;
-/// Several passes take (1 + n / this) times as long, n tetrahedra per body.
-constexpr double of_passes = 1500;
+/// s per tetrahedron of a sub-step after a breaking blow, for a body of 3000; it grows with this
+/// power of the number.
+constexpr double of_sub_step = 4.4e-7, growth = 0.15;
 /// Blows that break most bodies have this stress rho c v over the strength.
 constexpr double breaks_most = 1.3;
 /// Wave travels through a held body until it is quiet after a blow. The pieces of free bodies go on
@@ -260,8 +258,7 @@ class Forecast {
       const auto size = static_cast<double>(settings.mesh.tetrahedra.size());
       if (breaking) {
         // Contact, for which the order counts little, and the solve where its order makes it dear.
-        const double contact =
-            of_sub_step * size * exponential(growth * logarithm(size / 3000)) * sweeps(size);
+        const double contact = of_sub_step * size * exponential(growth * logarithm(size / 3000));
         const double solve = settings.order == 2 ? 1e-3 * flight_ms(scene_, settings) : 0;
         seconds += (contact + solve) / sub_step();
       } else if (t < body.touched + time_to_sleep()) {
@@ -269,12 +266,6 @@ class Forecast {
       }
     }
     return seconds;
-  }
-
-  double sweeps(double size) const {
-    const ContactSettings& contact = scene_.contact;
-    if (contact.method != ContactMethod::impulses) return 1;
-    return contact.max_iterations / 40.0 * (contact.max_passes > 1 ? 1 + size / of_passes : 1);
   }
 
   /// s: the shortest that the blows on the bodies ask for (`Blows::sub_step`).

@@ -340,6 +340,9 @@ void note_part(StepPlan& plan, const PlannedPart& part, const ContactStepResult&
   if (result.passes) return divide(plan);
   ++plan.taken;
   count_spared(plan.impact, result.blows);
+  if (result.trace) {
+    plan.impact.scaled_cells = std::max(plan.impact.scaled_cells, result.trace->scaled_cells);
+  }
   if (plan.phase == Phase::members) {
     if (result.adopted) note_pushed(plan.boundary, s.mechanics, result.contacts);
     note_members(plan, part, result, scene, s);

@@ -39,6 +39,8 @@ struct ImpactReport {
   std::uint32_t components = 0;
   /// Most neighbours of these, taken as rigid bodies.
   std::uint32_t carried = 0;
+  /// Most cells with selective mass scaling (`ScaledCells`).
+  std::uint32_t scaled_cells = 0;
   /// Largest ratio of a sub-step to the longest one that resolves its impact. Above 1 if a struck
   /// piece is smaller than the component of the window.
   double coarseness = 0;
@@ -56,6 +58,7 @@ constexpr auto counters_of(const ImpactReport*) {
                     Counter{"time", &ImpactReport::time},
                     Counter{"most_components", &ImpactReport::components, Adds::most},
                     Counter{"most_carried", &ImpactReport::carried, Adds::most},
+                    Counter{"most_scaled_cells", &ImpactReport::scaled_cells, Adds::most},
                     Counter{"coarseness", &ImpactReport::coarseness, Adds::most}};
 }
 

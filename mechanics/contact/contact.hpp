@@ -48,6 +48,7 @@ struct WaveTrace {
   WaveWork work;
   RowWork contact;
   double bonds = 0;  ///< J, taken from motion by bonds beyond their law
+  std::uint32_t scaled_cells = 0;  ///< with selective mass scaling (`ScaledCells`)
 };
 
 struct ContactStepResult {

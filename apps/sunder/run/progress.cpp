@@ -47,7 +47,7 @@ std::string progress_line(const ProgressState& state, double elapsed, double lef
   }
   line += fmt::format("step {}/{}  t = {:.6f} s  {}  {}", state.step, state.steps, state.time,
                       counted(state.pieces, "piece"), counted(state.fans, "fan"));
-  if (state.behind > 0) line += fmt::format("  {:.2f} s behind", state.behind);
+  if (state.slowed > 0) line += fmt::format("  {:.2f} s late", state.slowed);
   line += fmt::format("  {} gone  {} left", wall_time(elapsed), wall_time(left));
   return line;
 }

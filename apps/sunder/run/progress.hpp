@@ -21,8 +21,8 @@ struct ProgressState {
   /// s, simulated; moves within a step too.
   double time = 0;
   std::size_t pieces = 0, fans = 0;
-  /// s that simulated time is behind the clock; 0: not behind, or no real-time run.
-  double behind = 0;
+  /// s that late frames have stopped the clock of a real-time run; 0: none, or no such run.
+  double slowed = 0;
 };
 
 /// The line of a run: a bar of `width` characters (0: no bar), step, simulated time, pieces, fans,

@@ -25,10 +25,13 @@ void FrameClock::keep_up(double time) {
   while (time >= next_ - 1e-9) next_ += frame_time;
   const auto due = start_ + std::chrono::duration_cast<Clock::duration>(
                                 std::chrono::duration<double>(time));
+  reached_ = time;
   const auto now = Clock::now();
   frame_ms_.push_back(std::chrono::duration<double, std::milli>(now - frame_start_).count());
-  behind_ = std::max(0.0, std::chrono::duration<double>(now - due).count());
-  most_behind_ = std::max(most_behind_, behind_);
+  if (now > due) {
+    start_ += now - due;
+    slowed_ += std::chrono::duration<double>(now - due).count();
+  }
   std::this_thread::sleep_until(due);
   frame_start_ = Clock::now();
 }
@@ -41,20 +44,24 @@ nlohmann::ordered_json FrameClock::report() const {
     return ms[std::min(ms.size() - 1, static_cast<std::size_t>(share * static_cast<double>(ms.size())))];
   };
   const auto late = std::ranges::count_if(ms, [](double m) { return m > 1000 * frame_time; });
-  return {{"frames", ms.size()}, {"late", late},          {"median_ms", at(0.5)},
-          {"p99_ms", at(0.99)},  {"worst_ms", at(1)},     {"behind", behind_},
-          {"most_behind", most_behind_}};
+  return {{"frames", ms.size()},
+          {"late", late},
+          {"median_ms", at(0.5)},
+          {"p99_ms", at(0.99)},
+          {"worst_ms", at(1)},
+          {"slowed", slowed_},
+          {"speed", reached_ > 0 ? reached_ / (reached_ + slowed_) : 1}};
 }
 
 std::string frame_line(const nlohmann::ordered_json& report) {
   return fmt::format(
       "frames         {} of 1/60 s, {} late; median {:.3g} ms, 99 % within {:.3g} ms, worst {:.3g} "
       "ms\n"
-      "real time      {:.2f} s behind at the end, {:.2f} s at most\n",
+      "real time      {:.3g} of the clock's speed, {:.2f} s late in all\n",
       report["frames"].get<std::size_t>(), report["late"].get<std::size_t>(),
       report["median_ms"].get<double>(), report["p99_ms"].get<double>(),
-      report["worst_ms"].get<double>(), report["behind"].get<double>(),
-      report["most_behind"].get<double>());
+      report["worst_ms"].get<double>(), report["speed"].get<double>(),
+      report["slowed"].get<double>());
 }
 
 }  // namespace sunder

@@ -18,23 +18,24 @@ inline constexpr double frame_time = 1.0 / 60;
 /// run: 32 fans and 16 new pieces a frame. Others keep theirs.
 void set_frame_budget(FractureSettings& fracture);
 
-/// Holds simulated time against the wall's. A frame ends with the step that reaches the next multiple
-/// of 1/60 s; what is ahead of the clock waits.
+/// Paces a run by the clock on the wall. A frame ends with the step that reaches the next multiple
+/// of 1/60 s. A run that is ahead waits. A late frame stops the clock meanwhile, so that delays
+/// never add up: later frames keep their length.
 class FrameClock {
  public:
   FrameClock();
   /// After a step, at simulated `time` (s): waits where that is ahead.
   void keep_up(double time);
-  /// s, that simulated time is behind the wall's; 0 where it is not.
-  double behind() const { return behind_; }
+  /// s, that the clock has been stopped in all.
+  double slowed() const { return slowed_; }
   /// Frames, how long they took (ms: median, 99th of a hundred, worst), how many took longer than
-  /// 1/60 s, and how far behind the run is and was at most, s.
+  /// 1/60 s, for how long the clock was stopped (s), and simulated time over the wall's.
   nlohmann::ordered_json report() const;
 
  private:
   using Clock = std::chrono::steady_clock;
-  Clock::time_point start_, frame_start_;
-  double next_ = frame_time, behind_ = 0, most_behind_ = 0;
+  Clock::time_point start_, frame_start_;  ///< `start_`: later by what the clock was stopped
+  double next_ = frame_time, reached_ = 0, slowed_ = 0;
   std::vector<double> frame_ms_;
 };
 

@@ -89,7 +89,7 @@ ProgressState progress_of(const RunWork& work, std::size_t pieces, const FrameCl
           .time = simulated_time(work.simulation),
           .pieces = pieces,
           .fans = state.fans,
-          .behind = clock ? clock->behind() : 0};
+          .slowed = clock ? clock->slowed() : 0};
 }
 
 /// Steps until the end, a failure, an interruption, a departure from the log, or an output that

@@ -42,10 +42,12 @@ double depth_of_solids(const ContactPoint& contact, const StepPaths& paths) {
 double depth_at_end(const ContactPoint& contact, const StepPaths& paths) {
   const double in_plane = -gap_end(contact, path_of(contact, paths));
   if (!(in_plane > 0)) return 0;
-  const double of_solids = contact.obstacle != ContactPoint::none ? depth_in_obstacle(contact, paths)
-                           : !contact.tetrahedron_a.is_none()     ? depth_of_solids(contact, paths)
-                                                                  : depth_in_tetrahedron(contact, paths);
-  return std::clamp(of_solids, 0.0, in_plane);
+  const auto of_solids = [&] {
+    if (contact.obstacle != ContactPoint::none) return depth_in_obstacle(contact, paths);
+    if (!contact.tetrahedron_a.is_none()) return depth_of_solids(contact, paths);
+    return depth_in_tetrahedron(contact, paths);
+  };
+  return std::clamp(of_solids(), 0.0, in_plane);
 }
 
 }  // namespace sunder

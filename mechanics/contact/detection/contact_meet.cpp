@@ -118,17 +118,17 @@ void leave_to_next_pass(ContactStep& step) {
 /// the step must not run into.
 bool detect_contacts(ContactStep& step) {
   DetectScratch& scratch = step.scratch.detect;
+  const StepPaths paths = paths_of(step);
   if (step.look == ContactStep::Look::overlaps) {
     scratch.found.clear();
     scratch.found_gap.clear();
-    find_overlaps(scratch, paths_of(step), step.settings,
-                  static_cast<std::uint8_t>(step.report.passes));
+    find_overlaps(scratch, paths, step.settings, static_cast<std::uint8_t>(step.report.passes));
     return true;
   }
-  find_contacts(scratch, step.memory, paths_of(step), step.settings);
-  if (step.is_wave() && may_overlap(paths_of(step), step.settings)) {
+  find_contacts(scratch, step.memory, paths, step.settings);
+  if (step.is_wave() && may_overlap(paths, step.settings)) {
     // A whole step looks for overlaps in its last passes; an explicit part looks once.
-    find_overlaps(scratch, paths_of(step), step.settings, 0);
+    find_overlaps(scratch, paths, step.settings, 0);
   }
   if (step.look == ContactStep::Look::resting) leave_to_next_pass(step);
   if (!step.pass.input.part.impact || step.is_wave()) return true;

@@ -305,6 +305,9 @@ void trace(WaveTrace& trace, const WaveScratch& wave, const ContactStep& step) {
   trace.work.loads += trace.contact.loads;
   trace.work.supports -= trace.contact.on_held;
   trace.bonds = wave.bonds.numerical;
+  for (const ScaledCells& cluster : wave.bodies.nodes.scaled) {
+    trace.scaled_cells += static_cast<std::uint32_t>(cluster.cell.size());
+  }
 }
 
 }  // namespace

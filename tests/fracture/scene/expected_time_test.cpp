@@ -109,9 +109,6 @@ TEST_CASE("a blow above the strength is expected to take sub-steps to the end",
   Scene rigid = scene;
   rigid.bodies[0].rigid = true;
   CHECK(expected_time(rigid).between(0, 1) < breaking / 20);
-  Scene passes = scene;
-  passes.contact.max_passes = 1;
-  CHECK(expected_time(passes).between(0, 1) < expected_time(scene).between(0, 1));
   Scene coarse = scene;
   coarse.impact.window = false;
   CHECK(expected_time(coarse).between(0, 1) < breaking / 20);

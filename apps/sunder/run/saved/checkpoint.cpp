@@ -54,7 +54,8 @@ constexpr auto member_names(const ContactReport*) {
 }
 constexpr auto member_names(const ImpactReport*) {
   return names("opened", "spared_by_pair", "spared_by_island", "closed_by_time", "closed_by_energy",
-               "sub_steps", "time", "components", "carried", "coarseness", "stopped");
+               "sub_steps", "time", "components", "carried", "scaled_cells", "coarseness",
+               "stopped");
 }
 constexpr auto member_names(const LadderReport*) { return names("components", "tetrahedra"); }
 constexpr auto member_names(const RubbleStepReport*) {

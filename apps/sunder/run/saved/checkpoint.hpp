@@ -17,7 +17,7 @@
 namespace sunder {
 
 /// Of the files below; raised whenever what they hold beside the saved state changes.
-inline constexpr std::uint32_t checkpoint_format = 5;
+inline constexpr std::uint32_t checkpoint_format = 6;
 
 /// What has been recorded of a run so far.
 struct RunRecord {
