@@ -58,7 +58,8 @@ FanPlane fan_of(const Place& place, const Vec3& normal) {
     const PlaneSide side = plane_side({normal.x(), normal.y(), normal.z()}, centre);
     positive.push_back(side != PlaneSide::negative);
   }
-  return {normal, breakable_fan(place.cells, place.star, positive)};
+  std::vector<HalfFaceId> faces = breakable_fan(place.cells, place.star, positive);
+  return {normal, std::move(faces), std::move(positive)};
 }
 
 /// A fan and how good it is.

@@ -16,6 +16,8 @@ struct FanPlane {
   Vec3 normal = Vec3::Zero();
   /// In rising order.
   std::vector<HalfFaceId> faces;
+  /// For each tetrahedron of the star: on the positive side.
+  std::vector<char> positive = {};
 };
 
 /// Among the normals the stress allows, the one whose faces are least misaligned with it

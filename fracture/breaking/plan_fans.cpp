@@ -25,15 +25,12 @@ void plan_fan(std::vector<PlannedFan>& plans, FractureWork& work, PlannedFan pla
   const MechanicsState& mechanics = work.body.mechanics;
   const VertexId v = plan.v.vertex;
   const ComponentId component = mechanics.vertices.component[v.index()];
-  const FanPlane plane =
+  FanPlane plane =
       choose_fan(cells, plan.v, tension, mechanics.components[component.index()].rest_centre);
   if (plane.faces.empty()) return note_empty(work, v);
   plan.normal = plane.normal;
   plan.at = Vec3(cells.map.point(v).data());
-  if (!work.has_objects()) {
-    plan.positive =
-        plane_signs(cells.map, plan.v, {plan.normal[0], plan.normal[1], plan.normal[2]});
-  }
+  if (!work.has_objects()) plan.positive = std::move(plane.positive);
   plans.push_back(std::move(plan));
 }
 

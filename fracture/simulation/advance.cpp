@@ -85,20 +85,6 @@ void add_fracture(StepReport& sum, FractureReport&& part) {
   ++sum.parts;
 }
 
-/// What follows from pieces that are new: their energy, rows like their ancestors' in the step, and
-/// that those declared never to break are rigid.
-void note_pieces(StepReport& report, StepPlan& plan, std::vector<char>& touched,
-                 const RebuildReport& rebuilt, Simulation& sim) {
-  const SimulationState& s = *sim.state;
-  report.energy_released += rebuilt.energy_released;
-  report.energy.strain -= rebuilt.strain_released;
-  plan.knows_strengths = false;
-  inherit(touched, s.cells.labels);
-  inherit(plan.components, s.cells.labels);
-  inherit(plan.boundary.component, s.cells.labels);
-  harden_pieces(report, sim);
-}
-
 /// The members of a part but those declared never to break; `rows` keeps them.
 StepMembers breakable(const StepPlan& plan, const SimulationState& s, std::vector<char>& rows) {
   StepMembers members = plan.members();
@@ -128,122 +114,181 @@ void update_display(SimulationState& s, const Scene& scene) {
   }
 }
 
-}  // namespace
-
-StepReport advance(Simulation& sim, const StepObserver& observe) {
-  const Scene& scene = sim.scene;
-  SimulationState& s = *sim.state;
-  SimulationScratch& scratch = *sim.scratch;
+/// One step at work.
+struct StepWork {
+  Simulation& sim;
+  const StepObserver& observe;
+  double kinetic;                 ///< J, as the step begins, where the ledger is kept
+  std::size_t components_before;  ///< rows of components as the step begins
   StepReport report;
-  if (sim.reports_forces) report.forces = no_forces(scene);
-  const std::size_t components_before = s.cells.labels.size.size();
-  const auto kinetic_now = [&] {
-    return scene.energy_ledger && !all_rest(s) ? kinetic_energy(s.mechanics.vertices) : 0;
-  };
-  const double kinetic = kinetic_now();
-  std::vector<char>& touched = scratch.touched;
-  touched.assign(s.mechanics.components.size(), 0);
+  StepPlan plan;
+  double untested = 0;              ///< s since the last search for fractures
+  std::vector<char> unbroken = {};  ///< rows of `breakable`
 
-  if (s.step % budget_steps(scene) == 0) {
+  const Scene& scene() const { return sim.scene; }
+  SimulationState& state() const { return *sim.state; }
+  SimulationScratch& scratch() const { return *sim.scratch; }
+  BreakableBody body() const { return {state().cells, state().mechanics}; }
+};
+
+/// J; 0 where no ledger is kept.
+double kinetic_now(const Simulation& sim) {
+  const SimulationState& s = *sim.state;
+  return sim.scene.energy_ledger && !all_rest(s) ? kinetic_energy(s.mechanics.vertices) : 0;
+}
+
+/// The budget of the step, the debris, which keeps its own time, and the plan.
+StepWork begin_step(Simulation& sim, const StepObserver& observe) {
+  SimulationState& s = *sim.state;
+  StepReport report;
+  if (sim.reports_forces) report.forces = no_forces(sim.scene);
+  const std::size_t components = s.cells.labels.size.size();
+  const double kinetic = kinetic_now(sim);
+  sim.scratch->touched.assign(s.mechanics.components.size(), 0);
+  if (s.step % budget_steps(sim.scene) == 0) {
     s.fans_before = s.fans;
-    s.pieces_before = s.cells.labels.size.size();
+    s.pieces_before = components;
   }
   begin_rubble(report, sim);
-  StepPlan plan = plan_step(scene, s, scratch);
-  double untested = 0;  // s
-  std::vector<char> unbroken;  // rows of `breakable`
-  const auto anything_breaks = [&] {
-    return any_breaks({s.cells, s.mechanics}, with_budget_left(scene, s), scratch.fracture,
-                      breakable(plan, s, unbroken));
-  };
-  const std::function<bool()> ends = std::ref(anything_breaks);
-  while (const std::optional<PlannedPart> part = next_part(plan, scene, s)) {
-    plan.hurried = sim.hurry && *sim.hurry;
-    ContactStepResult taken;
-    if (part->moves) {
-      const StageTimer timer(report, Stage::mechanics);
-      const PartInput input{scene,          sim.bodies,         *part,
-                            plan.members(), plan.gravity,       sim.threads,
-                            sim.hurry,      sim.reports_forces, &ends};
-      const std::optional<Attempt> attempt = begin_attempt(scene, *part, s, report);
-      taken = take_part(report, s, input, scratch);
-      const bool fails = taken.status.outcome != StepOutcome::fine;
-      if (attempt && taken.adopted && !fails)
-        take_back(*attempt, report, s, input, scratch.fracture, taken);
-      if (taken.adopted) {
-        add_status(report.status, taken.status);
-        add_contact(report.contact, taken.report);
-        add_part(report.ties, taken.ties);
-        note_touches(touched, s.mechanics, taken.contacts);
-        report.time = s.mechanics.time;
-        if (observe) observe(sim, {part->part.deformation, taken.length, taken.report});
-      }
-    }
-    note_part(plan, *part, taken, scene, s);
-    if (has_failed(report)) break;
-    if (!taken.adopted) continue;
-    if (!s.contact.ties.empty()) {
-      const StageTimer timer(report, Stage::rebuild);
-      TieRelease released = release_ties(s.cells, s.contact, scene.fracture.detection,
-                                         scratch.fracture.components);
-      if (released.components.created > 0)
-        note_pieces(report, plan, touched, rebuild_released(s, scratch.mechanics), sim);
-      if (!released.faces.empty()) {
-        plan.knows_strengths = false;
-        released.time = s.mechanics.time;
-        released.part = report.parts;
-        report.releases.push_back(std::move(released));
-      }
-    }
-    untested += part->moves ? taken.length : part->length;
-    if (!part->breaks) continue;
+  StepPlan plan = plan_step(sim.scene, s, *sim.scratch);
+  return {sim, observe, kinetic, components, std::move(report), std::move(plan)};
+}
 
-    FractureReport found;
-    FanClock clock;
-    {
-      const StageTimer timer(report, Stage::fracture);
-      found = break_members({s.cells, s.mechanics}, s.script, with_budget_left(scene, s),
-                            {s.step + 1, report.parts}, breakable(plan, s, unbroken),
-                            scratch.fracture, untested, clock.watch());
-      untested = 0;
-      report.departed = s.script && s.script->departure;
-    }
-    for (const FanEvent& fan : found.fans) report.fan_us.push_back(clock.us(fan.vertex));
-    if (!found.not_a_number && !found.fans.empty()) {
-      const StageTimer timer(report, Stage::rebuild);
-      note_pieces(report, plan, touched, rebuild_pieces(s, found.fans, scratch.mechanics), sim);
-      note_fans(plan, scene, s, found.fans);
-    }
-    add_fracture(report, std::move(found));
-    if (has_failed(report)) break;
+/// Sections 3.1 and 3.2: moves the members of a part. Gives the result of mechanics and contact;
+/// not `adopted` where impacts lie ahead, or the part is taken back.
+ContactStepResult move(StepWork& step, const PlannedPart& part) {
+  const StageTimer timer(step.report, Stage::mechanics);
+  Simulation& sim = step.sim;
+  SimulationState& s = step.state();
+  const std::function<bool()> ends = [&] {
+    return any_breaks(step.body(), with_budget_left(sim.scene, s), step.scratch().fracture,
+                      breakable(step.plan, s, step.unbroken));
+  };
+  const PartInput input{sim.scene,           sim.bodies,         part,
+                        step.plan.members(), step.plan.gravity,  sim.threads,
+                        sim.hurry,           sim.reports_forces, &ends};
+  const std::optional<Attempt> attempt = begin_attempt(sim.scene, part, s, step.report);
+  ContactStepResult taken = take_part(step.report, s, input, step.scratch());
+  const bool fails = taken.status.outcome != StepOutcome::fine;
+  if (attempt && taken.adopted && !fails) {
+    take_back(*attempt, step.report, s, input, step.scratch().fracture, taken);
   }
-  end_boundary(plan.boundary, s);
+  if (!taken.adopted) return taken;
+  add_status(step.report.status, taken.status);
+  add_contact(step.report.contact, taken.report);
+  add_part(step.report.ties, taken.ties);
+  note_touches(step.scratch().touched, s.mechanics, taken.contacts);
+  step.report.time = s.mechanics.time;
+  if (step.observe) step.observe(sim, {part.part.deformation, taken.length, taken.report});
+  return taken;
+}
+
+/// What follows from pieces that are new: their energy, rows like their ancestors' in the step, and
+/// that those declared never to break are rigid.
+void note_pieces(StepWork& step, const RebuildReport& rebuilt) {
+  const auto& labels = step.state().cells.labels;
+  step.report.energy_released += rebuilt.energy_released;
+  step.report.energy.strain -= rebuilt.strain_released;
+  step.plan.knows_strengths = false;
+  inherit(step.scratch().touched, labels);
+  inherit(step.plan.components, labels);
+  inherit(step.plan.boundary.component, labels);
+  harden_pieces(step.report, step.sim);
+}
+
+/// Mode `cohesive`: ties at their end let go, and pieces may come off.
+void release_bonds(StepWork& step) {
+  SimulationState& s = step.state();
+  if (s.contact.ties.empty()) return;
+  const StageTimer timer(step.report, Stage::rebuild);
+  TieRelease released = release_ties(s.cells, s.contact, step.scene().fracture.detection,
+                                     step.scratch().fracture.components);
+  if (released.components.created > 0) {
+    note_pieces(step, rebuild_released(s, step.scratch().mechanics));
+  }
+  if (released.faces.empty()) return;
+  step.plan.knows_strengths = false;
+  released.time = s.mechanics.time;
+  released.part = step.report.parts;
+  step.report.releases.push_back(std::move(released));
+}
+
+/// Algorithms 3 and 4: opens faces. Then masses and frames of the pieces.
+void break_faces(StepWork& step) {
+  SimulationState& s = step.state();
+  FractureReport found;
+  FanClock clock;
+  {
+    const StageTimer timer(step.report, Stage::fracture);
+    found = break_members(step.body(), s.script, with_budget_left(step.scene(), s),
+                          {s.step + 1, step.report.parts}, breakable(step.plan, s, step.unbroken),
+                          step.scratch().fracture, step.untested, clock.watch());
+  }
+  step.untested = 0;
+  step.report.departed = s.script && s.script->departure;
+  for (const FanEvent& fan : found.fans) step.report.fan_us.push_back(clock.us(fan.vertex));
+  if (!found.not_a_number && !found.fans.empty()) {
+    const StageTimer timer(step.report, Stage::rebuild);
+    note_pieces(step, rebuild_pieces(s, found.fans, step.scratch().mechanics));
+    note_fans(step.plan, step.scene(), s, found.fans);
+  }
+  add_fracture(step.report, std::move(found));
+}
+
+/// The sums of the plan, in the report.
+void note_plan(StepReport& report, const StepPlan& plan) {
   report.energy_released += plan.released;
   report.energy.gravity += plan.boundary.gravity_work;
   report.momentum.gravity += plan.boundary.gravity_impulse;
   report.impact = plan.impact;
   if (plan.phase == StepPlan::Phase::equal) report.status.solve.sub_steps = plan.parts;
+}
 
+/// Activity levels of the next step, ledgers, and section 3.3: what is drawn.
+StepReport finish_step(StepWork& step) {
+  SimulationState& s = step.state();
+  StepReport& report = step.report;
+  end_boundary(step.plan.boundary, s);
+  note_plan(report, step.plan);
   report.step = ++s.step;
-  report.new_components = note_births(s, components_before);
+  report.new_components = note_births(s, step.components_before);
   report.time = s.mechanics.time;
   for_each_living(s.mechanics, {}, [&](const Component&) { ++report.components; });
   if (!has_failed(report)) {
     GivenUp given_up;
-    report.ladder = choose_rungs(given_up, s, {scene, touched}, scratch.ladder);
+    report.ladder =
+        choose_rungs(given_up, s, {step.scene(), step.scratch().touched}, step.scratch().ladder);
     report.energy_released += given_up.energy;
     report.momentum.sleep -= given_up.momentum;
   }
-  if (scene.energy_ledger) {
-    close_ledger(report, kinetic, kinetic_now());
+  if (step.scene().energy_ledger) {
+    close_ledger(report, step.kinetic, kinetic_now(step.sim));
   } else {
     report.energy = {};
   }
   if (!has_failed(report)) {
     const StageTimer timer(report, Stage::display);
-    update_display(s, scene);
+    update_display(s, step.scene());
   }
-  return report;
+  return std::move(report);
+}
+
+}  // namespace
+
+StepReport advance(Simulation& sim, const StepObserver& observe) {
+  StepWork step = begin_step(sim, observe);
+  while (const std::optional<PlannedPart> part = next_part(step.plan, sim.scene, *sim.state)) {
+    step.plan.hurried = sim.hurry && *sim.hurry;
+    const ContactStepResult taken = part->moves ? move(step, *part) : ContactStepResult{};
+    note_part(step.plan, *part, taken, sim.scene, *sim.state);
+    if (has_failed(step.report)) break;
+    if (!taken.adopted) continue;
+    step.untested += part->moves ? taken.length : part->length;
+    release_bonds(step);
+    if (part->breaks) break_faces(step);
+    if (has_failed(step.report)) break;
+  }
+  return finish_step(step);
 }
 
 }  // namespace sunder
