@@ -48,8 +48,8 @@ SurfaceDistance distance_to(const Solid& solid, const Vec3& point) {
   return {at.gap, solid.orientation * at.normal};
 }
 
-/// Whether a path is farther from the ball around a solid than twice its length: nothing of what it
-/// could meet is then worth a look.
+/// Whether a path is farther from the ball around a solid than twice its length. Then the path can
+/// meet no part of the solid.
 std::optional<FirstTouch> pass_by(const Solid& solid, const Path& path) {
   const Vec3 arm = path.start - (solid.orientation * solid.surface->centre + solid.translation);
   const double length = (path.end - path.start).norm();
@@ -128,7 +128,7 @@ FirstTouch first_touch(const Shape& shape, const Path& path) {
   const double gap_start = here.gap;
   SurfaceDistance nearest = here;
   double nearest_travelled = 0;
-  // A millionth of the path is far below what one step can mean for the result.
+  // A millionth of the path is far below any effect on the result of a step.
   const double arrived = 1e-6 * length;
   constexpr int max_evaluations = 48;
   double travelled = 0;

@@ -75,8 +75,8 @@ bool has_volume(const Shape& shape);
 /// m^3. Needs: `has_volume`.
 double volume_of(const Shape& shape);
 
-/// Where a shape is: its mass centre and, but of a sphere, its turn. Needs: a shape with a volume,
-/// as what follows does.
+/// Pose of a shape: its mass centre and, except for a sphere, its turn. Needs: a shape with a
+/// volume, like the functions below.
 Pose pose_of(const Shape& shape);
 
 /// Puts it there.

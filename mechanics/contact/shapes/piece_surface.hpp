@@ -44,7 +44,7 @@ struct PieceSurface {
 
   std::uint64_t version = 0;  ///< grows with every change of the surface
 
-  /// What it was made of.
+  /// The input of the surface.
   std::vector<Corners> corners;
   std::vector<std::array<HalfFaceId, 4>> neighbours;
 };
