@@ -51,7 +51,7 @@ std::uint64_t budget_steps(const Scene& scene) {
   return std::max<std::uint64_t>(1, whole_number<std::uint64_t>(steps));
 }
 
-/// The settings with what is left of the budget at hand.
+/// The settings with the budget that is left.
 FractureSettings with_budget_left(const Scene& scene, const SimulationState& s) {
   FractureSettings settings = scene.fracture;
   if (settings.mode != FractureMode::budget) return settings;
@@ -85,8 +85,8 @@ void add_fracture(StepReport& sum, FractureReport&& part) {
   ++sum.parts;
 }
 
-/// What follows from pieces that are new: their energy, rows like their ancestors' in the step, and
-/// that those declared never to break are rigid.
+/// Updates for new pieces: their energy, and rows copied from their ancestors in the step. Pieces
+/// declared never to break become rigid.
 void note_pieces(StepReport& report, StepPlan& plan, std::vector<char>& touched,
                  const RebuildReport& rebuilt, Simulation& sim) {
   const SimulationState& s = *sim.state;
@@ -115,7 +115,7 @@ bool is_same(const Pose& a, const Pose& b) {
   return a.centre == b.centre && a.orientation.coeffs() == b.orientation.coeffs();
 }
 
-/// Section 3.3: what is drawn follows the frames smoothly.
+/// Section 3.3: drawn poses follow the frames smoothly.
 void update_display(SimulationState& s, const Scene& scene) {
   for (const Component& c : s.mechanics.components) {
     const Pose target{c.centre, c.orientation};

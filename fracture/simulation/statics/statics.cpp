@@ -54,7 +54,7 @@ std::vector<std::size_t> body_of_vertices(const Simulation& sim) {
   return body;
 }
 
-/// Says of which body a refusal is, and that what the body lies on does not hold it.
+/// Adds to a refusal the name of its body, and that obstacles under the body do not hold it.
 void explain(const Simulation& sim, Finding& finding) {
   if (finding.code != "not_supported") return;
   const auto id = static_cast<std::size_t>(finding.ids.front());
