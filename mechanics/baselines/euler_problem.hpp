@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The equation of an implicit Euler step as a root to find: what Broyden and Newton share.
+// The equation of an implicit Euler step as a root to find: shared by Broyden and Newton.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ using WorldField = Eigen::Matrix3Xd;
 struct EulerProblem {
   const ComponentStep& step;  ///< with a system; it needs no factor
   WorldField start;           ///< m/s
-  double floor = 0;           ///< N s: what of |F| is rounding
+  double floor = 0;           ///< N s: the part of |F| from rounding
   std::uint32_t evaluations = 0;
 };
 

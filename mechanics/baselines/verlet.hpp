@@ -28,8 +28,8 @@ std::uint32_t sub_step_count(double length, double bound);
 /// without: sqrt(B^2 + b^2) - b, as the damping acts by the velocity of half a step before.
 double damped_step_bound(double bound, double stiffness_factor);
 
-/// The least over the elements of a component of what `explicit_step_bound` tells, with the damping
-/// of the settings; elements are measured once and kept in `scratch`.
+/// The least value of `explicit_step_bound` over the elements of a component, with the damping of
+/// the settings; elements are measured once and kept in `scratch`.
 double component_step_bound(MechanicsScratch& scratch, const MechanicsState& state,
                             const Component& component, const RayleighDamping& damping);
 

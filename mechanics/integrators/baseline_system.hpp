@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What baselines keep for one component from step to step; derived, thrown away when it changes.
+// Data that baselines keep for one component from step to step; derived, thrown away when it
+// changes.
 #pragma once
 
 #include <memory>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What every integrator is given for one component, and how it reads and writes its rows.
+// Input of every integrator for one component, and how it reads and writes its rows.
 #pragma once
 
 #include "mechanics/integrators/scratch.hpp"
@@ -8,8 +8,8 @@
 
 namespace sunder {
 
-/// One component in one step. Integrators read the state, write `scratch.predicted` and what they
-/// need of `state.systems`.
+/// One component in one step. Integrators read the state, write `scratch.predicted` and the systems
+/// that they need in `state.systems`.
 struct ComponentStep {
   MechanicsScratch& scratch;
   MechanicsState& state;

@@ -10,7 +10,7 @@
 
 namespace sunder {
 
-/// Consecutive columns of L whose rows below them are (nearly) the same.
+/// Consecutive columns of L with (nearly) the same rows below them.
 struct Supernode {
   static constexpr std::uint32_t none = 0xffffffff;
   std::uint32_t first = 0, end = 0;              ///< columns, of vertices
@@ -22,7 +22,7 @@ struct Supernode {
   std::uint32_t height() const { return below_end - below_begin; }
 };
 
-/// What factors of one pattern share. Supernodes are in postorder: children before parents, and
+/// Common part of factors of one pattern. Supernodes are in postorder: children before parents, and
 /// the children of a supernode right before it, each with its own below it.
 struct BlockAnalysis {
   std::vector<std::uint32_t> order;  ///< vertex of the graph that is eliminated i-th

@@ -37,13 +37,13 @@ struct RaisedVelocity {
   double ramp_time = 0;          ///< s; 0: at once
 };
 
-/// What holds a vertex: it is fixed (zero velocity) or moves along a straight line.
+/// The motion of a held vertex: it is fixed (zero velocity) or moves along a straight line.
 struct PrescribedMotion {
   /// m/s, world; nothing along axes that are free. While it is raised: its mean over the part of a
   /// step at hand.
   Vec3 velocity = Vec3::Zero();
   AxisSet axes = {true, true, true};  ///< along which it is held
-  /// What adds up to it, where some of that is raised; empty: constant.
+  /// The parts that add up to `velocity`, if some of them are raised; empty: constant.
   std::vector<RaisedVelocity> raised = {};
 };
 

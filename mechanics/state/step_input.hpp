@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a step is given beside the state: loads, settings, which part of a step, and what it moves.
+// The input of a step besides the state: loads, settings, the part of a step, and its members.
 #pragma once
 
 #include <array>
@@ -16,23 +16,23 @@ namespace sunder {
 
 struct ImpactSettings;
 
-/// What acts during one step from outside, constant over the step.
+/// Loads from outside during one step, constant over the step.
 struct Loads {
   Vec3 gravity = Vec3::Zero();   ///< m/s^2
   std::vector<Vec3> force = {};  ///< N, world, |V| rows; empty: none
   /// Which part of `force` turns with its body during the step, as pressure does, so that its
   /// moment stays what it was at the start; the rest keeps its direction. |V| rows; empty: none.
   std::vector<Vec3> turning = {};
-  /// Gravity changes velocities at the start of the step instead of bending paths to parabolas: for
-  /// what contact presses, whose rest would otherwise be a saw-tooth of +- g h / 2. For implicit
-  /// Euler; others take no note of it.
+  /// Gravity changes velocities at the start of the step instead of bending paths to parabolas.
+  /// This is for bodies pressed by contact; their rest would otherwise be a saw-tooth of +- g h /
+  /// 2. For implicit Euler; others ignore it.
   bool weight_at_start = false;
 };
 
 /// How deformations go through a step of floating_frame, or through a part of one.
 enum class Deformation {
   whole,     ///< by generalised-alpha
-  frozen,    ///< not at all: the frame moves alone; what is pulled (`is_pulled`) catches up
+  frozen,    ///< not at all: the frame moves alone; pulled components (`is_pulled`) catch up
   catch_up,  ///< by generalised-alpha over the whole step, in a part that may be shorter
   wave,      ///< by explicit steps (mechanics/contact/waves/)
 };
@@ -61,17 +61,16 @@ struct StepPart {
   bool divides = false;
 };
 
-/// What a step moves, by rows of components and obstacles: 0 keeps still and meets nothing.
-/// Empty: everything moves.
+/// The members of a step, by rows of components and obstacles: a row of 0 keeps still and meets
+/// nothing. Empty: everything moves.
 struct StepMembers {
   std::span<const char> component, ball;
   bool has(ComponentId id) const { return component.empty() || component[id.index()] != 0; }
   bool has_ball(std::size_t row) const { return ball.empty() || ball[row] != 0; }
 };
 
-/// What acts on the state in one step; nothing in it is changed. The spans and references must
-/// outlive the call. Parts and members are for whoever divides steps
-/// (fracture/simulation/plan.hpp).
+/// The input of one step, which does not change. The spans and references must outlive the call.
+/// Parts and members are for callers that divide steps (fracture/simulation/plan.hpp).
 struct StepInput {
   std::span<const Corners> corners;  ///< |T|
   const Loads& loads;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The linear irreversible law of ties: rigid up to a strength, softening from there to nothing;
-// what has opened in part unloads and loads again through the origin.
+// The linear irreversible law of ties: rigid up to a strength, softening from there to zero. A
+// partly opened tie unloads and loads again through the origin.
 #pragma once
 
 #include "mechanics/ties/tie.hpp"
