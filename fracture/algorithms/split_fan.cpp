@@ -78,7 +78,7 @@ FanEvent split_fan(BreakableBody body, const VertexStar& v, const Vec3& u,
     event.faces.push_back(split);
   }
   // If the oracle predicts new connected components, identify them, from the faces it points at.
-  // What is tied has not come off yet; that is found out as ties are released.
+  // Tied parts have not come off yet; that is found as ties are released.
   const bool is_tied = body.cells.pieces.has_value();
   if (!is_tied && (new_component || !asks_oracle(settings.detection))) {
     event.components =

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From a vertex whose turn has come to its fan.
+// From the next vertex in the queue to its fan.
 #include "fracture/breaking/plan_fans.hpp"
 
 #include "fracture/algorithms/choose_fan.hpp"
@@ -37,7 +37,7 @@ void plan_fan(std::vector<PlannedFan>& plans, FractureWork& work, PlannedFan pla
   plans.push_back(std::move(plan));
 }
 
-/// The fan of a vertex whose turn has come, if it has one and does not wait.
+/// The fan of the next vertex in the queue, if it has one and does not wait.
 void plan_vertex(std::vector<PlannedFan>& plans, FractureWork& work, VertexId v) {
   const PrincipalTension tension = principal_tension(work.stress(v));
   PlannedFan plan{vertex_star(work.body.cells.map, v), {}, tension.value, work.strength(v)};

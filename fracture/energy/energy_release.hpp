@@ -15,7 +15,7 @@ namespace sunder {
 
 struct MechanicsScratch;
 
-/// A supported body in equilibrium, with what pulls at it.
+/// A supported body in equilibrium, with its loads.
 struct ReleaseInput {
   const Cells& cells;
   MechanicsState& mechanics;           ///< displacements and stresses in equilibrium
@@ -28,7 +28,7 @@ struct ReleaseInput {
 std::vector<Vec3> node_loads(std::span<const CornerLoad> loads, const MechanicsState& state,
                              double time);
 
-/// What splitting some faces would release.
+/// The energy that splitting some faces would release.
 struct EnergyRelease {
   double area = 0;         ///< m^2, of the faces
   double projected = 0;    ///< m^2, of them on the crack's plane, as in `CrackEnergy`

@@ -32,7 +32,7 @@ double weibull_factor(const WeibullSettings& settings, const DrawPlace& place);
 /// tetrahedron has it. A mesh without regions has the region 0.
 std::optional<std::int32_t> find_region(const TetMesh& mesh, const RegionName& name);
 
-/// What a body's strengths and unbreakable parts get wrong beside ranges: unknown_region,
+/// Faults of a body's strengths and unbreakable parts, besides ranges: unknown_region,
 /// repeated_region, painted_strength. Needs: a mesh with tetrahedra.
 void check_strength(fields::SettingsCheck& check, const BodySettings& body);
 

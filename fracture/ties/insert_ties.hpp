@@ -17,9 +17,9 @@ namespace sunder {
 void add_ties(std::vector<Tie>& ties, const Cells& cells, const MechanicsState& mechanics,
               std::span<const FanEvent> fans);
 
-/// Corners whose vertices have come apart since the last call begin: their strength is the
-/// threshold of the vertex or, if that is more, the traction that was there, so that the force on
-/// both copies is what it was and their acceleration does not jump. Needs: masses of the copies
+/// Begins corners with vertices that have come apart since the last call. Their strength is the
+/// threshold of the vertex or, if that is more, the traction just before. So the force on both
+/// copies does not change and their acceleration does not jump. Needs: masses of the copies
 /// (`rebuild`).
 void begin_corners(std::vector<Tie>& ties, const Cells& cells, const MechanicsState& mechanics);
 

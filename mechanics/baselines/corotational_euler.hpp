@@ -35,9 +35,10 @@ void step_reassembled_euler(const ComponentStep& step);
 /// of the elements' own turns is taken from the last iterate, until `tolerance`. Two or three
 /// iterations are enough where parts turn little against the component (stiff bodies). Where they
 /// turn much it does not converge, and the reassembled step is taken and reported. Kugelstadt,
+/// turn much it does not converge, and the reassembled step is taken and reported. Kugelstadt,
 /// Koschier and Bender 2018 split differently (stretching by a constant matrix for any turn, volume
-/// approximately by
-/// Gauss-Seidel); this split keeps the whole of the elastic energy and is exact in the limit.
+/// approximately by Gauss-Seidel). This split keeps the whole elastic energy and is exact in the
+/// limit.
 void step_prefactored_euler(const ComponentStep& step);
 
 }  // namespace sunder

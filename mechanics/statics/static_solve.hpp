@@ -21,7 +21,7 @@ std::vector<Finding> solve_static(MechanicsState& state, MechanicsScratch& scrat
 
 /// K d - (m g + f) of every vertex in the world, N, |V| rows. At held vertices it is the force with
 /// which the support pushes the body, at free ones the error of the equilibrium (rounding after
-/// `solve_static`). `loads`: those of that call. O(|T|), and systems not built yet.
+/// `solve_static`). `loads`: those of that call. O(|T|), plus the systems that are not built yet.
 std::vector<Vec3> support_forces(MechanicsScratch& scratch, MechanicsState& state,
                                  std::span<const Corners> corners, const Loads& loads);
 

@@ -34,6 +34,7 @@ struct RubbleChoice {
 /// islands. Near obstacles that are meshes no island is rubble. An island is rubble if rubble is on
 /// and all bodies in it can be rubble: free, without loads, ties and windows. In addition no vertex
 /// of theirs can break, or the certificate says so.
+///
 /// The certificate (`RubbleMode::certified`) bounds the energy that the island could put into a
 /// piece in the tick. It must be below the energy that the piece must hold before a vertex of it
 /// can break (`note_break_energies`). The sum is kinetic energy against the ground that the island
