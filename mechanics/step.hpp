@@ -21,8 +21,8 @@ void predict(MechanicsScratch& scratch, MechanicsState& state, const StepInput& 
 void prepare(MechanicsState& state, const StepInput& input);
 
 /// Makes the predicted state of every member the present one, advances the time, and computes
-/// element stress and turn in one pass. Needs: `predict` for every living member since the last
-/// adoption. On an outcome other than fine the state is as computed, for whoever wants to look.
+/// element stress and turn in one pass. Needs: `predict` for every active member since the last
+/// adoption. On an outcome other than fine the state is as computed, for inspection.
 StepStatus adopt(MechanicsState& state, MechanicsScratch& scratch, const StepInput& input);
 
 /// The whole step without contact: predict all, adopt.

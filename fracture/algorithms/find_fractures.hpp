@@ -30,7 +30,7 @@ ElementStress element_stress(const Cells& cells, const MechanicsState& mechanics
 void measure_node_stress(NodeStressField& field, const VolumeMap& map,
                          const ElementStress& elements, NodeStress mode);
 
-/// The same anew, in numbers alone, for reports.
+/// The node stresses, measured again, in numbers alone, for reports.
 std::vector<Mat3> node_stress_of(const Cells& cells, const MechanicsState& mechanics,
                                  NodeStress mode);
 

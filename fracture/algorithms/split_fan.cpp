@@ -9,8 +9,8 @@
 namespace sunder {
 namespace {
 
-/// The vertices of the fan's faces have a crack beside them now: their threshold may be another.
-/// Gives the tetrahedra met.
+/// Updates the thresholds of the vertices of the fan's faces, which now lie at a crack. Gives the
+/// number of tetrahedra visited.
 std::size_t refresh_strength(BreakableBody body, const FanEvent& event) {
   Cells& cells = body.cells;
   std::vector<VertexId> rows;

@@ -266,7 +266,7 @@ void follow_splits(FractureWork& work, std::vector<VertexId>& split_rows) {
   }
 }
 
-/// Queues those around fans of cracks anew: the front may pass through them now.
+/// Queues the vertices around fans of cracks again: the front may pass through them now.
 void follow_fronts(FractureWork& work, std::span<const PlannedFan> fans) {
   std::vector<VertexId> around;
   const VolumeMap& map = work.body.cells.map;

@@ -13,12 +13,12 @@ namespace sunder {
 enum class CrackStep {
   starts,  ///< a new crack, with the fan of `choose_fan`
   grows,   ///< the front of a crack passes through it, and goes on
-  waits,   ///< beside a crack: its stress is the one from before that crack
+  waits,   ///< next to a crack: its stress is the one from before that crack
 };
 
 struct CrackChoice {
   CrackStep step = CrackStep::starts;
-  CrackId crack;     ///< that grows, or beside which it is
+  CrackId crack;     ///< that grows, or next to which it is
   CrackPlane plane;  ///< of `grows`; `at` is where the vertex lies on it, its anchor
 };
 

@@ -83,7 +83,7 @@ CrackChoice crack_of(const FractureWork& work, const VertexStar& v,
 
 namespace {
 
-/// Whether the budget allows no fan beside those made and planned.
+/// Whether the budget allows no fan besides those made and planned.
 bool is_spent(const FractureWork& work, std::size_t planned) {
   if (work.settings.mode != FractureMode::budget) return false;
   const std::size_t pieces = work.body.cells.labels.size.size() - work.pieces_before;

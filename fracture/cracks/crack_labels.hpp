@@ -28,8 +28,8 @@ struct CrackAnchor {
 
 /// The cracks of all bodies. Crack k labels tetrahedra + or -; its faces are sewn faces between the
 /// two that were unsewn at a vertex which broke: the coboundary of the labelling, as far as it has
-/// broken. Labels never change, so fans of one crack commute: whatever their order, the same
-/// half-faces are unsewn (docs/explanation/cracks.md). Empty with `CrackMode::paper`.
+/// broken. Labels never change, so fans of one crack commute: in any order the same half-faces are
+/// unsewn (docs/explanation/cracks.md). Empty with `CrackMode::paper`.
 struct CrackLabels {
   std::uint32_t cracks = 0;
   std::vector<CrackLabel> labels;          ///< in the order in which they were decided

@@ -169,8 +169,8 @@ struct StateReader {
 template <class Archive>
 inline constexpr bool is_reader = std::is_same_v<Archive, StateReader>;
 
-/// An archive that writes nothing and is told where each number stands: `enter` with a member's
-/// name (whether to go in) or a row, and `leave`.
+/// An archive that writes nothing and gets the place of each number: `enter` with a member's name
+/// (whether to go in) or a row, and `leave`.
 template <class Archive>
 inline constexpr bool is_told_places = requires(Archive& a) {
   a.leave();

@@ -154,7 +154,7 @@ template <class Archive, class M>
 requires std::is_same_v<std::remove_const_t<M>, DenseMap>
 void archive_struct(Archive& a, M& map) { archive_map(a, map); }
 
-/// A solid with its surface: that is made anew of its points and triangles.
+/// A solid with its surface, which is made again from its points and triangles.
 template <class Archive, class S>
 requires std::is_same_v<std::remove_const_t<S>, Solid>
 void archive_struct(Archive& a, S& solid) {

@@ -100,8 +100,8 @@ void check_partial(fields::SettingsCheck& check, const Scene& scene) {
   }
 }
 
-/// The paper's springs push at the centres of balls alone, and everybody in every step; rubble has a
-/// clock of its own.
+/// The paper's springs push at the centres of balls alone, and at all bodies in every step; rubble
+/// has a clock of its own.
 void check_penalty(fields::SettingsCheck& check, const Scene& scene) {
   if (scene.contact.method != ContactMethod::penalty) return;
   if (scene.ladder.rubble != RubbleMode::off) {

@@ -201,7 +201,7 @@ void look_at_slenderness(const Looked& l, std::size_t b) {
   const bool is_rigid = l.scene.integrator.model == ElasticModel::rigid_reference;
   if (!is_rigid || l.scene.bodies[b].rigid || l.scene.bodies[b].mesh.tetrahedra.size() < 2) return;
   if (!can_be_bent(l, b)) return;
-  // A strength that no solid has is told as such.
+  // A strength that no solid has is reported as such.
   if (!(strain <= 0.1) || !(share > 0.05)) return;
   const std::string false_strain =
       share < 1 ? fmt::format("a false strain of up to {:.0f} % of it", 100 * share)

@@ -15,7 +15,7 @@ namespace sunder {
 struct PlannedPart {
   StepPart part;
   double length = 0;   ///< s
-  bool moves = true;   ///< false: nobody is there to be moved
+  bool moves = true;   ///< false: it has no member that could move
   bool breaks = true;  ///< whether fractures are looked for at its end
 };
 

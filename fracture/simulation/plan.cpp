@@ -246,7 +246,7 @@ void note_members(StepPlan& plan, const PlannedPart& part, const ContactStepResu
   }
 }
 
-/// Where the members' step ends everybody meets again.
+/// Ends the members' step: all bodies are at the same time again.
 void finish_members(StepPlan& plan, const Scene& scene, SimulationState& s) {
   unstiffen_members(s);
   end_boundary(plan.boundary, s);
@@ -295,7 +295,7 @@ std::optional<PlannedPart> next_part(StepPlan& plan, const Scene& scene, Simulat
   if (has_windows(scene) && goes_on && !plan.knows_strengths && anybody_moves(plan, s)) {
     note_strengths(plan, scene, s);
   }
-  // Explicit parts cannot be longer; everybody is at the same time, so the step may end here.
+  // Explicit parts cannot be longer; all bodies are at the same time, so the step may end here.
   if (plan.hurried && plan.phase == Phase::equal) return std::nullopt;
   const StepPart whole{Deformation::whole, 0, has_windows(scene) ? &scene.impact : nullptr,
                        plan.strength, plan.threshold};
@@ -351,7 +351,7 @@ void note_part(StepPlan& plan, const PlannedPart& part, const ContactStepResult&
   }
   if (result.adopted) {
     if (plan.phase == Phase::whole && !part.moves) {
-      // Nobody was there to take them along.
+      // No part has moved them.
       move_obstacles(scene, s.obstacles);
       s.mechanics.time = plan.start + scene.integrator.time_step;
     }

@@ -13,7 +13,7 @@ std::vector<ComponentId> open_windows(const ImpactWindow& window);
 /// the bodies round those.
 void gather_members(StepPlan& plan, const SimulationState& state, double time_step);
 
-/// Everybody but the rubble takes the part.
+/// All bodies except the rubble take the part.
 void begin_without_rubble(StepPlan& plan, const SimulationState& state);
 
 /// Whether a member of the part to come could move.

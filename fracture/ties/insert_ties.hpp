@@ -12,8 +12,8 @@
 namespace sunder {
 
 /// Ties the faces of fans with the fracture energy of the weaker side, along the normal of each
-/// fan. Areas of corners are A |n . n_f| / 3, so that a crack takes the same energy whatever the
-/// mesh it zigzags through. Needs: `CrackMode::cohesive`.
+/// fan. Areas of corners are A |n . n_f| / 3, so that a crack takes the same energy on any mesh it
+/// zigzags through. Needs: `CrackMode::cohesive`.
 void add_ties(std::vector<Tie>& ties, const Cells& cells, const MechanicsState& mechanics,
               std::span<const FanEvent> fans);
 

@@ -45,8 +45,8 @@ double good_enough(const EulerProblem& problem, double first);
 /// definite. Iterations that begin far off, stiff bodies at long steps, do find the other one.
 bool is_nearest_root(const EulerProblem& problem, const WorldField& y);
 
-/// Writes the prediction: y with the momentum of the mass centre made exact whatever the tolerance,
-/// and x + h y less `parabola_shift`.
+/// Writes the prediction: y with the momentum of the mass centre made exact at any tolerance, and x
+/// + h y less `parabola_shift`.
 void finish_euler(const EulerProblem& problem, WorldField& y, const SolveReport& report);
 
 /// The step by the factor, where iterations were given up; the report says so.

@@ -14,7 +14,7 @@ namespace sunder {
 using LocalField = Eigen::Ref<Eigen::Matrix3Xd>;
 using ConstLocalField = Eigen::Ref<const Eigen::Matrix3Xd>;
 
-/// A component at rest, in the order of whoever made it.
+/// A component at rest, in the order of vertices of its maker.
 struct RestShape {
   Eigen::Matrix3Xd arm;  ///< r0 = rest position - rest centre, m
   Eigen::VectorXd mass;  ///< lumped, kg

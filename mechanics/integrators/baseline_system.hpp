@@ -15,7 +15,7 @@ namespace sunder {
 struct ModalBasis;
 struct ReassembledSystem;
 
-/// Row of `MechanicsScratch::baselines`. Each part is made by whoever needs it first.
+/// Row of `MechanicsScratch::baselines`. Each part is made at its first use.
 struct BaselineSystem {
   BaselineSystem();
   ~BaselineSystem();

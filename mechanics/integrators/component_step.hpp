@@ -54,7 +54,7 @@ enum class ScratchField {
   spare
 };
 
-/// `scratch.local[which]` as 3 x n; grows, never shrinks. Contents are whatever they were.
+/// `scratch.local[which]` as 3 x n; grows, never shrinks. Contents are undefined.
 inline Eigen::Map<Eigen::Matrix3Xd> scratch_field(MechanicsScratch& scratch, ScratchField which,
                                                   std::size_t n) {
   std::vector<double>& buffer = scratch.local[static_cast<std::size_t>(which)];

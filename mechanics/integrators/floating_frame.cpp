@@ -49,7 +49,7 @@ double damping_work(const ComponentStep& step, const RayleighDamping& damping,
   return damping.mass_factor * inner + damping.stiffness_factor * rate.cwiseProduct(product).sum();
 }
 
-/// Held vertices go on at their constant rate, whatever the deformation's own time is.
+/// Held vertices go on at their constant rate, for any time scale of the deformation.
 void move_held(const ComponentStep& step, BodyDeformation& d) {
   const auto held = static_cast<Eigen::Index>(step.system->size() - step.system->free_count);
   d.displacement.rightCols(held) += step.input.settings.time_step * d.rate.rightCols(held);

@@ -30,7 +30,7 @@ struct BlockAnalysis {
   std::vector<std::uint32_t> below;         ///< rows below each supernode's columns, ascending
   std::vector<std::uint32_t> supernode_of;  ///< of each column
   std::size_t panel_size = 0;               ///< doubles in a factor
-  std::size_t stack_size = 0;               ///< doubles that factoring needs beside it
+  std::size_t stack_size = 0;               ///< doubles that factoring needs in addition
 
   std::span<const std::uint32_t> rows_below(const Supernode& s) const {
     return {below.data() + s.below_begin, below.data() + s.below_end};

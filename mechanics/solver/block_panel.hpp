@@ -43,8 +43,8 @@ struct Panel {
   }
 };
 
-// All sums run over columns in one order whatever the processor: vector lanes are rows, or
-// right-hand sides, and independent of each other.
+// All sums run over columns in one order on every processor: vector lanes are rows, or right-hand
+// sides, and independent of each other.
 
 /// Turns the assembled panel into its part of L; false where a pivot is not positive.
 bool factor_panel(const Panel& panel);

@@ -102,7 +102,7 @@ bool extend_system(ComponentSystem& system, ComponentSystem& old,
 void factor_system(ComponentSystem& system, const SystemMatrix& matrix);
 
 /// x <- A^-1 x over the free vertices (3 free_count rows, any number of columns), in place; zero at
-/// `held_scalars`, whatever stood there. Becomes NaN where A was not positive definite, which only
+/// `held_scalars`, for any input there. Becomes NaN where A was not positive definite, which only
 /// an overflow can bring about.
 void solve_system(const ComponentSystem& system, Eigen::Ref<Eigen::MatrixXd> x);
 

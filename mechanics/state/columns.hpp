@@ -73,7 +73,7 @@ struct ElementColumns {
   std::vector<double> rest_volume;            ///< m^3, positive
   std::vector<double> mass;                   ///< kg
   std::vector<MaterialId> material;
-  /// Written by whoever splits (fracture); `rebuild` carries it over to the vertices.
+  /// Written by the code that splits (fracture); `rebuild` carries it over to the vertices.
   std::vector<ComponentId> component;
   /// Pa, symmetric, body frame, tension positive; the mean over a tetrahedron of second order.
   std::vector<Mat3> stress;

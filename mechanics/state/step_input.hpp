@@ -43,10 +43,10 @@ struct StepPart {
   double whole_step = 0;  ///< s, for `catch_up` and `frozen`
   /// Given, contact looks out for blows (`advance_with_contact`).
   const ImpactSettings* impact = nullptr;
-  /// Beside `impact`: lowest tensile strength in each component, Pa; |C|.
+  /// With `impact`: lowest tensile strength in each component, Pa; |C|.
   std::span<const double> strength = {};
-  /// Beside `impact`: J that a component must hold before it can break, |C|. Blows that cannot
-  /// bring it so far are none. Empty: every blow counts.
+  /// With `impact`: J that a component must hold before it can break, |C|. Blows below it do not
+  /// count. Empty: every blow counts.
   std::span<const double> threshold = {};
   /// Of a wave: cells get the viscosity C = this times `Component::cell_travel` times K, but at most
   /// half of critical damping. It keeps wave fronts from overshooting on a mesh, as the linear bulk
@@ -85,8 +85,8 @@ struct StepInput {
   /// Threads that factors and columns of the inverse are made on. Results are the same bytes for
   /// any number.
   unsigned threads = 1;
-  /// Given, a wave asks it after each of its sub-steps but the last. True: the part ends
-  /// there. Displacements, element stresses and the time are then those of the moment.
+  /// Given, a wave calls it after each of its sub-steps but the last. True: the part ends there.
+  /// Displacements, element stresses and the time are then those of the moment.
   const std::function<bool()>* ends = nullptr;
   /// Given and true: iterations end where they are.
   const std::atomic<bool>* hurry = nullptr;

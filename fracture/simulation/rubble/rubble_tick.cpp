@@ -159,7 +159,7 @@ void take_ticks(StepReport& report, Simulation& sim, RubbleWorld& world, const R
     const RubbleReport tick = advance_rubble(world.bodies, world.shapes, s.ladder.rubble.memory,
                                              settings, sim.scratch->rubble.solver, nullptr,
                                              world.partners);
-    // All that went anywhere counts for everybody: islands are not told apart.
+    // All lost energy counts for every component: islands are not distinguished.
     const double lost = before + tick.gravity_work - kinetic_of(world);
     for (std::size_t c = 0; c < world.of_component.size(); ++c) {
       if (world.of_component[c] != RubbleWorld::no_row) s.ladder.rubble.spent[c] += std::max(0.0, lost);

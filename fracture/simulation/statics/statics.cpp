@@ -151,7 +151,7 @@ class Survey {
   }
 
   void see(Extreme& largest, double value, std::size_t v, const BodyEquilibrium& answer) const {
-    // Of equal values the first stands; the first of all stands whatever it is.
+    // Of equal values the first stands; the first of all stands in any case.
     if (answer.vertices > 1 && !(value > largest.value)) return;
     const std::uint32_t point = sim_.state->cells.map.point_of_vertex(VertexId{v});
     largest = {value, point - sim_.bodies[body_of_[v]].first_point, undeformed(v)};

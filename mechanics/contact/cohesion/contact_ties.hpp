@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Ties in the step with contact: one row for each pair of vertices, beside the contacts.
+// Ties in the step with contact: one row for each pair of vertices, besides the contacts.
 #pragma once
 
 #include <span>
@@ -13,7 +13,7 @@ namespace sunder {
 /// Corners of ties between the same two vertices, one plane: they open alike and are one row.
 struct TiePair {
   VertexId a, b;           ///< a < b
-  HalfFaceId face;         ///< of A: tells pairs of the same vertices apart
+  HalfFaceId face;         ///< of A: identifies pairs of the same vertices
   TetId tetrahedron;       ///< of B
   std::uint8_t place = 0;  ///< of B among its nodes
   Vec3 normal{0, 0, 1};    ///< of the crack, world, from B to A, as the step begins

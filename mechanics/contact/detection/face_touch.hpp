@@ -9,7 +9,8 @@
 
 namespace sunder {
 
-/// Share of a tetrahedron, or of a face, within which a vertex beside it counts as on it: rounding.
+/// Share of a tetrahedron, or of a face, within which a vertex next to it counts as on it:
+/// rounding.
 inline constexpr double on_face = 1e-9;
 
 /// A vertex, or corner of an obstacle, against a face.

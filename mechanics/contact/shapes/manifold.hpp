@@ -31,7 +31,7 @@ struct PairAxis {
 /// How far two solids may come nearer before they are looked at again.
 struct Approach {
   Vec3 way{0, 0, 0};  ///< m, of A against B
-  double margin = 0;  ///< m, >= 0, in any direction beside
+  double margin = 0;  ///< m, >= 0, in any other direction
   /// Along a unit vector out of A.
   double along(const Vec3& out_of_a) const { return margin + std::max(0.0, out_of_a.dot(way)); }
 };

@@ -306,7 +306,7 @@ std::size_t edge_count(const Shape& shape) {
 
 SolidSurface::Edge edge_at(const Shape& shape, std::uint32_t edge) {
   if (const auto* solid = std::get_if<Solid>(&shape)) return solid->surface->sharp_edges[edge];
-  // Four along each axis; the other two axes tell them apart.
+  // Four along each axis, distinguished by the other two axes.
   const std::uint32_t axis = edge / 4, along = 1u << axis;
   const std::uint32_t next = 1u << (axis + 1) % 3, last = 1u << (axis + 2) % 3;
   const std::uint32_t from = (edge & 1 ? next : 0) | (edge & 2 ? last : 0);

@@ -23,7 +23,7 @@ struct SurfaceDistance {
 /// counts; where the gradient is not unique (the middle of a sphere, ties) a fixed axis is taken.
 SurfaceDistance surface_distance(const Shape& shape, const Vec3& point);
 
-/// A point that moves straight from `start` to `end` (m) beside a shape at rest.
+/// A point that moves straight from `start` to `end` (m) near a shape at rest.
 struct Path {
   Vec3 start{0, 0, 0};
   Vec3 end{0, 0, 0};

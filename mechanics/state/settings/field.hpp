@@ -25,7 +25,7 @@ struct Range {
   double low = -infinity;
   double high = infinity;
   bool without_low = false;    ///< `low` itself is not allowed
-  bool with_infinity = false;  ///< infinity is allowed too, beside the finite numbers
+  bool with_infinity = false;  ///< infinity is allowed too, besides the finite numbers
 };
 constexpr Range at_least(double low) { return {.low = low}; }
 constexpr Range above(double low) { return {.low = low, .without_low = true}; }
