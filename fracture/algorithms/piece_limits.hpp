@@ -21,9 +21,9 @@ inline bool limits_pieces(const FractureSettings& settings) {
 /// faces alone parts grow in lockstep, as in `Detection::exact`.
 /// With `CrackMode::cohesive` a piece is a component of the map without ties: a piece after all
 /// ties are spent. So no release has to be refused, in any order of spent ties.
-/// Cost: nothing where both limits are 0; else the stars of the faces' vertices, and the smaller
-/// sides of the parts that would come off (with a smallest piece, more of the rest where all these
-/// are light); with ties and a number of pieces O(|T|) for fans that part something.
+/// Cost: nothing where both limits are 0. Else the stars of the faces' vertices, and the smaller
+/// sides of the parts that would come off. With a smallest piece, more of the rest where all these
+/// are light. With ties and a number of pieces O(|T|) for fans that part something.
 bool exceeds_limits(const Cells& cells, const MechanicsState& mechanics,
                     std::span<const HalfFaceId> faces, const FractureSettings& settings,
                     ComponentScratch& scratch);

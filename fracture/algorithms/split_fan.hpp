@@ -14,7 +14,7 @@ namespace sunder {
 FaceSplit part_face(BreakableBody body, HalfFaceId face, std::vector<VertexCopy>& nodes);
 
 /// Algorithm 4, split(v, u): signs of the tetrahedra around `v` relative to the plane through it
-/// with the normal `u`. Each face between a positive and a negative one is unsewn in turn, the
+/// with the normal `u`. Each face between a positive and a negative one is unsewn in turn. The
 /// vertices that come apart get copies, and the oracle is evaluated after each face. At the end,
 /// and only if it predicted new connected components, these are identified.
 ///

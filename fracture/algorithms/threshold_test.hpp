@@ -28,7 +28,7 @@ ThresholdAnswer test_threshold(const Eigen::Matrix3d& sigma, double xi);
 /// is, for an infinite one too.
 ThresholdAnswer test_eigenvalues(const Eigen::Matrix3d& sigma, double xi);
 
-/// Whether the largest eigenvalue of `sigma` reaches `xi`, in one of the ways above; `suspects`
+/// Whether the largest eigenvalue of `sigma` reaches `xi`, in one of the ways above. `suspects`
 /// counts the tensors that Gershgorin's bound lets through, where it is used.
 ThresholdAnswer test_threshold(const Eigen::Matrix3d& sigma, double xi, ThresholdTest way,
                                std::size_t& suspects);

@@ -26,8 +26,8 @@ struct CrackAnchor {
   std::uint32_t before = 0;
 };
 
-/// The cracks of all bodies. Crack k labels tetrahedra + or -; its faces are sewn faces between the
-/// two that were unsewn at a vertex which broke: the coboundary of the labelling, as far as it has
+/// The cracks of all bodies. Crack k labels tetrahedra + or -. Its faces are sewn faces between the
+/// two that were unsewn at a broken vertex: the coboundary of the labelling, as far as it has
 /// broken. Labels never change, so fans of one crack commute: in any order the same half-faces are
 /// unsewn (docs/explanation/cracks.md). Empty with `CrackMode::paper`.
 struct CrackLabels {

@@ -35,10 +35,10 @@ void note_fan(RelaxedState& relaxed, const Cells& cells, const MechanicsState& m
 
 /// Lets the fans noted since the last call open. The vertices less than `rings` rings of tetrahedra
 /// away from split vertices take their equilibrium, those on the patch's rim are held. Vertices
-/// that an earlier patch left out of balance on its rim come to rest once they lie inside of one:
-/// patches are blocks of a Gauss-Seidel iteration towards the whole body's equilibrium. A rim that
-/// holds lets a crack open less than the body would: the stress at its new tip is a lower bound
-/// (docs/lab/energy.md has the difference).
+/// that an earlier patch left out of balance on its rim come to rest once they lie inside of one.
+/// So patches are blocks of a Gauss-Seidel iteration towards the whole body's equilibrium. A rim
+/// that holds lets a crack open less than the body would. The stress at its new tip is thus a lower
+/// bound (docs/lab/energy.md has the difference).
 /// Needs: `rings` of 1 or more. `mechanics` is changed during the call only (rims are held).
 /// Cost: assembly, factor and solve of the patch: 0.07 ms for two rings around a fan, 0.5 for four.
 void relax_around(RelaxedState& relaxed, const Cells& cells, MechanicsState& mechanics,

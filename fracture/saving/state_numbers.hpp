@@ -12,7 +12,7 @@
 namespace sunder {
 
 /// Which numbers are examined: the columns of the evolving state, about 400 bytes per tetrahedron,
-/// or all numbers of a saved state, with matrices, factors, map and scene.
+/// or all numbers of a saved state. The latter have matrices, factors, map and scene too.
 enum class NumbersOf { columns, everything };
 
 /// The floating-point numbers of a member, over all rows, named by the members it lies in.

@@ -49,9 +49,8 @@ struct BodyMeasures {
 /// least, and settings without errors.
 BodyMeasures measure(const BodySettings& body);
 
-/// False strain seen by one rigid reference, eps (L/t)^2 / 2, over the strain eps at which the body
-/// breaks when it is bent (docs/explanation/theory.md); infinite where nothing breaks. Needs:
-/// `measure(body)`.
+/// False strain seen by one rigid reference, eps (L/t)^2 / 2, over the strain eps at which the bent
+/// body breaks (docs/explanation/theory.md). Infinite where nothing breaks. Needs: `measure(body)`.
 double false_strain(const BodySettings& body, const BodyMeasures& measures);
 
 /// With fewer layers linear tetrahedra show less than two thirds of the true bending: `few_layers`.

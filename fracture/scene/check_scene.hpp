@@ -26,9 +26,9 @@ std::vector<SettingFinding> second_order_findings(const Scene& scene);
 void check_together(fields::SettingsCheck& check, const HeldBox& box);
 void check_together(fields::SettingsCheck& check, const LoadBox& box);
 void check_together(fields::SettingsCheck& check, const RestBox& box);
-/// nothing_held, nothing_loaded, nothing_unbreakable: a box without a vertex of the mesh;
-/// mesh_size, too_far: coordinates that reals cannot distinguish; velocity_not_held: a velocity
-/// along an axis on which its vertices are free; and those of `check_strength`.
+/// nothing_held, nothing_loaded, nothing_unbreakable: a box without a vertex of the mesh.
+/// mesh_size, too_far: coordinates that reals cannot distinguish. velocity_not_held: a velocity
+/// along an axis on which its vertices are free. Also the findings of `check_strength`.
 void check_together(fields::SettingsCheck& check, const BodySettings& body);
 /// no_body; too_many_steps; axes_not_supported: features that do not go with vertices held along
 /// some axes. fit_of_second_order: a node stress that is no average. free_not_supported,

@@ -29,7 +29,7 @@ std::optional<Attempt> begin_attempt(const Scene& scene, const PlannedPart& part
 /// Whether the part opened a tie by more than a hundredth of its final opening, or overloaded a
 /// vertex by more than a tenth. Rigid components do not count. If so, the state before the part is
 /// put back, and `taken` is a part that was not adopted. The components concerned count as struck
-/// at its start: their windows open, and cracks grow in sub-steps that resolve their waves, for any
+/// at its start. Their windows open, and cracks grow in sub-steps that resolve their waves, for any
 /// step of the scene.
 bool take_back(const Attempt& attempt, StepReport& report, SimulationState& state,
                const PartInput& input, FractureScratch& scratch, ContactStepResult& taken);

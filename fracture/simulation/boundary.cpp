@@ -64,7 +64,7 @@ Role& role_of(Boundary& boundary, const Body& body) {
 }
 
 /// Whether two bodies are nearer than `reach` by their balls. If one is much larger, its vertices
-/// are tested against the other's ball: a body that touches a tetrahedron is no farther from its
+/// are tested against the other's ball. A body that touches a tetrahedron is no farther from its
 /// vertices than its longest edge.
 bool is_near(const SimulationState& s, const Body& a, const Body& b, double reach) {
   if ((a.center - b.center).norm() > a.radius + b.radius + reach) return false;

@@ -16,12 +16,12 @@ namespace sunder {
 /// Bound on the largest principal node stress (Pa) that a free component can come to while nothing
 /// touches it, from its present energy and motion:
 ///   sqrt(2 M (U + T_d) / V) + 2 rho s^2
-/// U its strain energy, T_d the kinetic energy of its deformation, V the volume of its smallest
-/// star, s the largest speed of a vertex against the mass centre, M = lambda + 2 mu = rho c_p^2.
+/// U is its strain energy, T_d the kinetic energy of its deformation, V the volume of its smallest
+/// star. s is the largest speed of a vertex against the mass centre, M = lambda + 2 mu = rho c_p^2.
 /// First term: a volume V under the mean stress of largest eigenvalue sigma holds at least V
-/// sigma^2 / (2 M) (uniaxial strain; for nu = 0 that is E). It cannot hold more than the present
-/// energy. Second: centrifugal forces stress a rod with rho s^2 / 2 at most and a disc with 0.41
-/// rho s^2. The factor leaves four times that for notches
+/// sigma^2 / (2 M). This is for uniaxial strain; for nu = 0, M is E. The volume cannot hold more
+/// than the present energy. Second: centrifugal forces stress a rod with rho s^2 / 2 at most and a
+/// disc with 0.41 rho s^2. The factor leaves four times that for notches
 /// (`tests/fracture/simulation/ladder_test.cpp` compares it with the equilibria of spinning
 /// bodies). O(rows of the component).
 double flight_stress_bound(const MechanicsState& state, const Component& component);

@@ -37,9 +37,8 @@ bool is_open(const ImpactWindow& window, std::size_t component) {
 }
 
 /// Opens windows for struck components. The first one decides the sub-step: the step over a power
-/// of two, so that runs with steps that differ by such a power take the same sub-steps. Ties may
-/// demand a shorter one later. During the members' step, the number of sub-steps left is counted
-/// again.
+/// of two. So runs with steps that differ by such a power take the same sub-steps. Ties may demand
+/// a shorter one later. During the members' step, the number of sub-steps left is counted again.
 void open(StepPlan& plan, ImpactWindow& window, const Blows& blows, const Scene& scene) {
   const double time_step = scene.integrator.time_step;
   const bool refines = scene.fracture.crack == CrackMode::cohesive;
@@ -105,7 +104,7 @@ void begin_others(StepPlan& plan, const SimulationState& s) {
 }
 
 /// The others have taken the step; now the members take it. Steps that are no longer than the
-/// minimal length of a window are sub-stepped whole: to freeze moving components for a part of them
+/// minimal length of a window are sub-stepped whole. To freeze moving components for a part of them
 /// would cost more accuracy than it saves.
 void begin_members(StepPlan& plan, const Scene& scene, SimulationState& s) {
   put_back_obstacles(plan, s.obstacles);

@@ -25,9 +25,8 @@ bool is_partial(const HeldBox& box);
 /// along it, or `no_holder`.
 Holders holders_of(std::span<const HeldBox> boxes, const Vec3& rest);
 
-/// Marks the vertices that the boxes hold, with motions of its own for each combination of boxes;
-/// those of single boxes come first, in their order. `vertices`: of one body. `rotation`: of the
-/// body.
+/// Marks the vertices that the boxes hold, with one motion for each combination of boxes. Those of
+/// single boxes come first, in their order. `vertices`: of one body. `rotation`: of the body.
 void hold_vertices(MechanicsState& mechanics, std::span<const VertexId> vertices,
                    std::span<const HeldBox> boxes, const Eigen::Quaterniond& rotation);
 

@@ -85,7 +85,7 @@ struct ContactStepResult {
 /// An impulse that pushed a lumped vertex off the other side too fast is then taken back in part,
 /// never more than was given. So the impact of one lumped mass makes no bounce.
 /// Needs: obstacles without findings, a state of `make_state`. Momentum and angular momentum are
-/// conserved to rounding, for any tolerance: both impulses of a contact act at one point, the place
+/// conserved to rounding, for any tolerance. Both impulses of a contact act at one point, the place
 /// of side A at the start of the step.
 /// With `StepPart::impact` given, a step that would run into a blow is not taken: the result has
 /// the blows ahead. `frozen` ignores blows, which belong to the next part. `wave` reports the

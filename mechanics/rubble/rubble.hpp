@@ -27,11 +27,11 @@ struct RubbleTouch {
 };
 
 /// One tick of rigid bodies with contact and friction. Patches are found once; sub-steps then
-/// follow them: velocities under gravity, warm start, a sweep to and fro that pushes overlaps out,
-/// places, one without pushing [soft steps: Catto 2024, "Solver2D"]. Normal impulses are by point,
-/// friction and its twist by patch. Approaching points are stopped where they touch. Both sides of
-/// a patch are pushed at one place, so that momentum and angular momentum are kept to rounding.
-/// Bodies turn with their angular momentum (`turn_through_step`).
+/// follow them. A sub-step has velocities under gravity, warm start, a sweep to and fro that pushes
+/// overlaps out, places, and one without pushing [soft steps: Catto 2024, "Solver2D"]. Normal
+/// impulses are by point, friction and its twist by patch. Approaching points are stopped where
+/// they touch. Both sides of a patch are pushed at one place, so that momentum and angular momentum
+/// are kept to rounding. Bodies turn with their angular momentum (`turn_through_step`).
 /// A body falls asleep if it, and all bodies that push at it, have been still for `sleep_after`: it
 /// stands as if it were held. It wakes when a body that is not still touches it. A blow, by ten
 /// times the speed that counts as still, also wakes all bodies connected with it.

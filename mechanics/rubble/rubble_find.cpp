@@ -40,7 +40,8 @@ FindScratch::Turn turn_of(const FindInput& input, std::uint32_t row) {
 }
 
 /// Adds the effect of turning to the way of a part with its centre at `arm`, and to its reach
-/// across the way: the height of the arc over its chord, and turning about its own centre.
+/// across the way. The latter is the height of the arc over its chord, and turning about its own
+/// centre.
 void add_turn(Vec3& way, double& beside, const FindScratch::Turn& turn, const Vec3& arm,
               double radius) {
   way += turn.chord * arm;

@@ -41,7 +41,7 @@ struct Component {
   bool partly_held = false;            ///< holds one that is held along one or two axes only
   Vec3 frame_velocity = Vec3::Zero();  ///< m/s; the frame of a supported component moves with it
   /// A rigid body at all times, of its rest shape, with six degrees of freedom and no finite
-  /// elements: one free tetrahedron, or a component changed by `turn_rigid`.
+  /// elements. It is one free tetrahedron, or a component changed by `turn_rigid`.
   bool rigid = false;
   Rung rung = Rung::full;
   /// rad: largest turn of a tetrahedron against the frame when its stress was last computed (size

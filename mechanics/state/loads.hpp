@@ -14,7 +14,7 @@ namespace sunder {
 struct Loads;
 
 /// A force on one node of a tetrahedron. The force on a vertex is the sum over the corners of its
-/// star, so when it splits every copy keeps the forces on its own side.
+/// star. So when it splits every copy keeps the forces on its own side.
 struct CornerLoad {
   CornerId corner;
   /// Place of the edge, with an end at the corner, on the middle of which it acts; -1: on the

@@ -43,8 +43,8 @@ bool is_raised(const MechanicsState& state, const Component& component);
 void raise_supports(MechanicsState& state, double end);
 
 /// Gives the held vertices of a component the velocities of their motions, and its frame that of
-/// the first of them: a blow, in which nothing else moves. Gives the work of the supports, J.
-/// O(vertices).
+/// the first of them. This is a blow, in which nothing else moves. Gives the work of the supports,
+/// J. O(vertices).
 double follow_supports(MechanicsState& state, ComponentId id);
 
 /// Whether supports leave a component no rigid motion, to 3e-5 of its size, where some of its

@@ -11,11 +11,11 @@
 namespace sunder {
 
 /// Puts every active component into equilibrium in its frame: K d = R^T (m g + f) with held
-/// vertices where they are; velocities become those of the frame, element stress follows. The limit
-/// of a damped run with these loads. Errors, and then nothing changes: "not_supported" for each
-/// component that its held vertices do not fix (fewer than three, or on one line), "not_a_number"
-/// for loads that are not finite. Leaves factors of K in the state; the next step factors again.
-/// Cost: one factor and one solve.
+/// vertices where they are. Velocities become those of the frame, element stress follows. The limit
+/// of a damped run with these loads.
+/// Errors, and then nothing changes: "not_supported" for each component that its held vertices do
+/// not fix (fewer than three, or on one line). "not_a_number" for loads that are not finite. Leaves
+/// factors of K in the state; the next step factors again. Cost: one factor and one solve.
 std::vector<Finding> solve_static(MechanicsState& state, MechanicsScratch& scratch,
                                   std::span<const Corners> corners, const Loads& loads);
 

@@ -167,8 +167,8 @@ void add_contact_work(EnergyLedger& ledger, const AdoptedPart& part) {
   }
 }
 
-/// Work of moving supports: on the frame as a whole, and on vertices that move against the frame,
-/// by the forces K d - f where the scheme balances them.
+/// Work of moving supports: on the frame as a whole, and on vertices that move against the frame.
+/// The latter is by the forces K d - f where the scheme balances them.
 void add_support_work(EnergyLedger& ledger, const AdoptedPart& part, const Component& component) {
   const StepInput& input = part.input;
   const MechanicsState& m = part.state.mechanics;

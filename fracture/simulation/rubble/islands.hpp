@@ -29,7 +29,7 @@ struct RubbleChoice {
   std::uint32_t solids = 0;    ///< islands near obstacles that are meshes
 };
 
-/// Groups bodies that could meet in a tick into islands: those with overlapping boxes of surface
+/// Groups bodies that could meet in a tick into islands. Those have overlapping boxes of surface
 /// tetrahedra along their ways, twice as far for deformable bodies. Driven obstacles do not join
 /// islands. Near obstacles that are meshes no island is rubble. An island is rubble if rubble is on
 /// and all bodies in it can be rubble: free, without loads, ties and windows. In addition no vertex
@@ -37,11 +37,12 @@ struct RubbleChoice {
 ///
 /// The certificate (`RubbleMode::certified`) bounds the energy that the island could put into a
 /// piece in the tick. It must be below the energy that the piece must hold before a vertex of it
-/// can break (`note_break_energies`). The sum is kinetic energy against the ground that the island
-/// touches, or else against its mass centre, the strain energy in it, and the work of gravity in
-/// the tick. To this comes the energy that contacts took from the piece's islands since it has been
-/// rubble. Not for `NodeStress::fit`. Where an island meets obstacles of different velocities there
-/// is no bound.
+/// can break (`note_break_energies`). The bound is the sum of
+/// - kinetic energy against the obstacles that the island touches, or else against its mass centre,
+/// - strain energy in the island, and the work of gravity in the tick,
+/// - the energy that contacts took from the piece's islands since it has been rubble.
+/// Not for `NodeStress::fit`. Where an island meets obstacles of different velocities there is no
+/// bound.
 RubbleChoice choose_rubble(const Simulation& sim, const RubbleInput& input);
 
 }  // namespace sunder

@@ -18,8 +18,8 @@ namespace {
 /// m: the mass centre of a free obstacle.
 Vec3 centre_of(const Obstacle& free) { return pose_of(free.shape).centre; }
 
-/// The factor on A^-1 of a part of a step in the response to a unit impulse that is spread over the
-/// part as a force: displacement beta h^2 over the part's length.
+/// The factor on A^-1 of a part of a step in the response to a unit impulse. The impulse is spread
+/// over the part as a force: displacement beta h^2 over the part's length.
 double response_scale(const ContactPass& pass, const Component& component) {
   const StepInput& input = pass.input;
   const double h = input.deformation_step(component);

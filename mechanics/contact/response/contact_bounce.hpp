@@ -6,10 +6,10 @@
 
 namespace sunder {
 
-/// Takes back the impulse that makes contacts bounce, right after a step was adopted. To close a
-/// gap by the end of a step, a scheme with the response beta h A^-1 j needs up to twice the impulse
-/// that stops a lumped vertex. The velocity of the vertex reverses, at once or over the next steps
-/// by the acceleration that the scheme remembers. The coming normal velocity is
+/// Takes back the impulse that makes contacts bounce, right after a step was adopted. The response
+/// of a scheme is beta h A^-1 j. To close a gap by the end of a step, it needs up to twice the
+/// impulse that stops a lumped vertex. The velocity of the vertex reverses, at once or over the
+/// next steps by the acceleration that the scheme remembers. The coming normal velocity is
 ///   n . (v + lambda h a),  lambda = (1 - gamma + gamma r)/(1 - r),  r = -alpha_m/(1 - alpha_m).
 /// Where it parts the sides, the remembered acceleration is turned into that velocity. An impulse
 /// at the lumped masses then stops it, never more than the step's contact gave. Stiff contacts, for

@@ -41,11 +41,11 @@ struct Approach {
 std::array<double, 2> nearest_of_segments(const Vec3& p, const Vec3& u, const Vec3& q,
                                           const Vec3& v);
 
-/// The patch between two solids that may touch along each of their separating axes:
-/// the normals of their faces and the products of edges whose arcs cross on the Gauss map
-/// [Gregorius 2013, GDC]. No point where one axis separates them, or where a face or edge inside of
-/// a body separates them best: other parts of that body then meet. For overlapping solids the
-/// normal is that of least overlap.
+/// The patch between two solids that may touch along each of their separating axes. These are the
+/// normals of their faces, and the products of edges with arcs that cross on the Gauss map
+/// [Gregorius 2013, GDC]. There is no point where one axis separates the solids. The same holds
+/// where a face or edge inside of a body separates them best: other parts of that body then meet.
+/// For overlapping solids the normal is that of least overlap.
 Manifold collide(const Polytope& a, const Polytope& b, const Approach& approach, PairAxis& last);
 
 /// m: how far an axis keeps two solids apart; they are no nearer. Negative: it does not.
@@ -55,8 +55,8 @@ double separation_along(const Polytope& a, const Polytope& b, const PairAxis& ax
 Manifold collide_ball(const Vec3& centre, double radius, const Polytope& b,
                       const Approach& approach);
 
-/// Largest separation of two convex solids along any axis of their faces and pairs of edges, m:
-/// negative where they overlap, by as much as they would have to move. No pruning: the slow twin of
+/// Largest separation of two convex solids along any axis of their faces and pairs of edges, m.
+/// Negative where they overlap, by as much as they would have to move. No pruning: the slow twin of
 /// `collide` for tests and for the search for overlaps.
 double separation_by_all_axes(const Polytope& a, const Polytope& b);
 

@@ -253,8 +253,8 @@ void release_wedges(const RowSolve& solve, const Energy& energy, const SolveLimi
   add_impulses(solve.rows, solve.bodies, change);
 }
 
-/// Where contacts are more than the independent motions of their bodies, pressure and the disks
-/// that follow it change for ever by a little: the residual falls no more.
+/// Contacts can be more than the independent motions of their bodies. Pressure and the disks that
+/// follow it then change for ever by a little: the residual falls no more.
 class Stall {
  public:
   /// Whether the residual has not halved for long, and is near the tolerance.
