@@ -212,7 +212,7 @@ void seat_frame(const MechanicsState& state, Component& component, const Parent&
 }
 
 /// Factors may serve on; those of a component that is gone do not. A system retired before, and not
-/// asked for since, is still the one to compare with.
+/// used since, is still the reference.
 void retire_system(ComponentSystems& systems, ComponentId id, bool gone) {
   if (id.index() >= systems.present.size()) return;
   std::unique_ptr<ComponentSystem>& system = systems.present[id.index()];

@@ -41,7 +41,7 @@ struct Cells {
   std::vector<double> strength;
   /// |V|, Pa: painted on the mesh; 0 where the materials around decide.
   std::vector<double> painted;
-  /// V|: factor on the material's or painted strength (Weibull); copies keep it.
+  /// |V|: factor on the material's or painted strength (Weibull); copies keep it.
   std::vector<double> flaw;
   /// |V|: 1 where the vertex never splits: no face that touches it is ever unsewn in a fan.
   std::vector<char> unbreakable;

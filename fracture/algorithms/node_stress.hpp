@@ -37,9 +37,9 @@ void average_node_stress(std::vector<Mat3>& node_stress, const ElementStress& el
 void average_node_stress(std::vector<Mat3>& node_stress, const ElementStress& elements,
                          std::size_t vertices, std::vector<double>& weight);
 
-/// Appends the middles of edges of tetrahedra of second order, so that `node_stress` has a row for
-/// each. Their stress is the mean, over the tetrahedra round the edge, of the stress half-way
-/// between its ends. For display.
+/// Adds the stress at the middles of edges of second order to `node_stress`, which has rows for
+/// them. It is the mean, over the tetrahedra round the edge, of the stress half-way between its
+/// ends. For display.
 void add_edge_stress(std::vector<Mat3>& node_stress, const ElementStress& elements,
                      std::span<const EdgeNodes> edge_nodes);
 

@@ -9,7 +9,7 @@
 
 namespace sunder {
 
-/// Whether there is any limit to ask.
+/// Whether there is any limit.
 inline bool limits_pieces(const FractureSettings& settings) {
   return settings.smallest_piece > 0 || settings.max_pieces > 0;
 }

@@ -63,8 +63,8 @@ bool all_rest(const SimulationState& state);
 ///   thousandth of the critical speed xi / (rho c). So inertia could not add more than that share
 ///   of the strength. It stays while that holds.
 /// - `asleep`: for `sleep_after`, it and all bodies that it touches had no vertex faster than the
-///   rest speed of the step, with gravity and loads fully raised. It wakes when an awake body
-///   touches it, or a body overlaps it on its way (mechanics/contact/contact.cpp).
+///   rest speed of the step. Gravity and loads are fully raised. It wakes when an awake body
+///   touches it, or any moving body overlaps it (mechanics/contact/contact.cpp).
 /// - `full`: all others, and everything under other integrators than floating_frame.
 /// Gives the number of components on each rung; `given_up` increases by the energy and momentum
 /// given up.

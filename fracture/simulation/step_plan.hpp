@@ -34,7 +34,7 @@ struct StepPlan {
   double reach = 0;   ///< m, `reach_of_step` as the roles were given
   /// |C|, Pa: of the weakest vertex, as the part at hand begins; kept in the scratch.
   std::vector<double>& strength;
-  // J: below it none of its vertices can break; kept in the scratch, empty: all can.
+  /// |C|, J: below it none of its vertices can break; kept in the scratch, empty: all can.
   std::vector<double>& threshold;
   BreakEnergyScratch& break_energy;
   bool knows_strengths = false;  ///< both are those of the pieces as they are

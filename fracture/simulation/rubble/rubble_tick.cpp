@@ -112,7 +112,8 @@ void forget_contacts(SimulationState& s, const std::vector<char>& apart) {
   });
 }
 
-/// Components leave the rung if they are not among `members`. Their losses on the rung are final.
+/// Components leave the rung if they are not among `members`. Their losses on the rung are
+/// forgotten.
 void leave_rung(SimulationState& s, const std::vector<char>& members) {
   s.ladder.rubble.spent.resize(s.mechanics.components.size(), 0);
   for (Component& c : s.mechanics.components) {

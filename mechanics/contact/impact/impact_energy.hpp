@@ -31,6 +31,7 @@ enum class Verdict {
 ///   work of gravity in the step. The kinetic energy is relative to the obstacle or support that
 ///   the island touches, else to its mass centre. Obstacles that move differently can do any work:
 ///   no bound.
+/// Needs: no surface loads on the judged component. Built in O(contacts), an island is summed once
 /// at its first use.
 class ImpactEnergy {
  public:

@@ -9,9 +9,9 @@
 
 namespace sunder {
 
-/// A matrix with six rows a body, and its factor in place. In a heap, the cost is in the order of
-/// elimination and the entries' housekeeping, not in arithmetic. So it has dense blocks and takes
-/// the body with the fewest neighbours first [Tinney, Walker 1967]. No unit.
+/// A matrix with six rows per body, and its factor in place. For a heap of bodies the cost is in
+/// the order of elimination and the entries' housekeeping, not in arithmetic. So it has dense
+/// blocks and takes the body with the fewest neighbours first [Tinney, Walker 1967]. No unit.
 class BodyFactor {
  public:
   using Block = Eigen::Matrix<double, 6, 6>;
