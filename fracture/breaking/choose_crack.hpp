@@ -36,11 +36,11 @@ struct CrackPlace {
 };
 
 /// On the front of a crack (`CrackAtVertex::is_front`) with a normal within the branch angle of the
-/// tension, the crack goes on. Its normal is the mean of the vertex' own normal and those of its
-/// anchors within 3 h (`anchors_near`, own weight 1). Its plane passes through the mean of their
-/// points and the vertex. Of several fronts it takes the one that the tension is turned from least.
-/// Where these are equal to 1e-6, it takes the one with the first normal, folded as in
-/// `choose_fan`.
+/// tension, the crack goes on. Its normal there is the mean of the vertex' own normal, which
+/// follows the tension (weight 1), and those of the crack's anchors within 3 h (`anchors_near`).
+/// Its plane passes through the mean of their points and the vertex. Of several fronts it takes the
+/// one that the tension is turned from least. Where these are equal to 1e-6, it takes the one with
+/// the first normal, folded as in `choose_fan`.
 /// Else a vertex on one side of a crack waits if the crack's normal lies within that angle. It also
 /// waits where the wave of an anchor with such a normal has not come yet (`holds_back`). Else a
 /// crack starts, as a branch where there are fronts.

@@ -22,7 +22,7 @@
 
 namespace sunder {
 
-/// The result type of overloads of `member_names`.
+/// Makes the result of an overload of `member_names`.
 template <class... Name>
 constexpr std::array<std::string_view, sizeof...(Name)> names(const Name&... name) {
   return {std::string_view(name)...};

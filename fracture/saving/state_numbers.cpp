@@ -129,7 +129,7 @@ class NumberSeeker {
   std::size_t at_ = 12;
 };
 
-/// The object of a row of a column.
+/// The kind of object that a row of a column belongs to.
 std::string_view row_word(std::string_view column) {
   constexpr std::pair<std::string_view, std::string_view> words[] = {
       {"vertices.", "vertex"},      {"elements.", "tetrahedron"}, {"components.", "component"},

@@ -173,8 +173,8 @@ bool can_be_bent(const Looked& l, std::size_t b) {
 }
 
 /// Bending is less than half of the deflection of bodies shorter than 1.7 times their thickness
-/// (the rest is shear: 2.4 (1 + nu) (t / L)^2 of it). Their diagonal is shorter than 2.2 times the
-/// thickness.
+/// (the rest is shear: 2.4 (1 + nu) (t / L)^2 of it). The diagonal of such a body is shorter
+/// than 2.2 times its thickness.
 constexpr double compact = 2.2;
 
 void look_at_layers(const Looked& l, std::size_t b) {

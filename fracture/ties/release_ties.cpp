@@ -11,7 +11,7 @@ namespace sunder {
 namespace {
 
 /// rad: largest turn of the sides of a face against each other while a corner of it still holds. A
-/// chip that hangs on a corner turns about it. Strain is linear in the frame of its piece and would
+/// chip that hangs on a corner turns about it. The linear strain in the frame of its piece would
 /// stretch it by half the square of the angle. In concrete this is a tenth of its breaking strain.
 constexpr double most_turn = 0.005;
 

@@ -24,8 +24,8 @@ struct Loads {
   /// moment stays what it was at the start; the rest keeps its direction. |V| rows; empty: none.
   std::vector<Vec3> turning = {};
   /// Gravity changes velocities at the start of the step instead of bending paths to parabolas.
-  /// This is for bodies pressed by contact; their rest would otherwise be a saw-tooth of +- g h /
-  /// 2. For implicit Euler; others ignore it.
+  /// This is for bodies pressed by contact, with a rest that would otherwise be a saw-tooth of
+  /// +- g h / 2. For implicit Euler; others ignore it.
   bool weight_at_start = false;
 };
 
