@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Columns at rest from a described body, and what may be wrong with the description.
+// Columns at rest from a described body, and possible faults of the description.
 #include "mechanics/rebuild.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One pass over the tetrahedra: stress, turn, and what the strain energy changed by.
+// One pass over the tetrahedra: stress, turn, and the change of the strain energy.
 #include "mechanics/measure_elements.hpp"
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace sunder {
 namespace {
 
-/// What of a displacement gradient is left of an element that takes its own turn out of it.
+/// The rest of a displacement gradient after an element has taken its own turn out of it.
 Mat3 own_strain(const Mat3& H) {
   const Mat3 F = Mat3::Identity() + H;
   Mat3 strain = element_rotation(F, Mat3::Identity()).transpose() * F;
@@ -30,7 +30,7 @@ double strain_density(const Mat3& H, const Lame& lame) {
          lame.mu * (normal + 0.5 * (xy * xy + yz * yz + zx * zx));
 }
 
-/// Stress at the corners, its mean, the largest turn, and what the strain energy changed by.
+/// Stress at the corners, its mean, the largest turn, and the change of the strain energy.
 void measure_second_order(MechanicsState& state, const MechanicsScratch& scratch,
                           std::span<const Corners> corners, TetId t, const ElementMeasure& measure,
                           StrainChange& change, double& largest) {
@@ -71,7 +71,7 @@ void measure_elements(MechanicsState& state, MechanicsScratch& scratch,
     scratch.lame.push_back(lame(material));
     scratch.stress_energy.emplace_back(material);
   }
-  // On lower rungs displacements stay what they were; larger pieces that are rigid have none.
+  // On lower rungs displacements do not change; larger pieces that are rigid have none.
   const auto changes = [&](ComponentId id) {
     const Component& c = state.components[id.index()];
     return measure.members.has(id) && deforms(c.rung) && (!c.rigid || is_isolated(c));

@@ -17,9 +17,9 @@ struct ElementMeasure {
 };
 
 /// Element stress (eq. 5) and the largest turn of an element in each component, in one pass, from
-/// the displacements as they are. `adopt` does it; for whoever sets displacements otherwise.
+/// the present displacements. `adopt` does it; call it after setting displacements otherwise.
 /// With corotational elements the stress is that of their own strain, in the body frame as if they
-/// had not turned in it (the rest configuration, where cracks are decided), and turns count as
+/// had not turned in it. This is the rest configuration, where cracks are decided. Turns count as
 /// none.
 void measure_elements(MechanicsState& state, MechanicsScratch& scratch,
                       std::span<const Corners> corners, const ElementMeasure& measure = {});

@@ -18,7 +18,7 @@
 namespace sunder {
 namespace {
 
-/// What a piece remembers of the component it came from.
+/// Values of the old component that a piece remembers.
 struct Parent {
   bool supported = false;
   Vec3 rest_centre = Vec3::Zero();
@@ -57,8 +57,8 @@ std::vector<std::vector<TetId>> gather_members(const ElementColumns& elements,
   return members;
 }
 
-/// Vertices, masses and what follows from rest positions. Shares of masses are added in the order of
-/// tetrahedra, so that a vertex whose star did not change keeps its mass to the bit.
+/// Vertices, masses and other values that follow from rest positions. Shares of masses are added in
+/// the order of tetrahedra, so that a vertex with an unchanged star keeps its mass to the bit.
 void set_members(MechanicsState& state, Component& component, std::vector<TetId> tetrahedra,
                  std::span<const Corners> corners) {
   VertexColumns& vertices = state.vertices;
@@ -97,7 +97,8 @@ void set_members(MechanicsState& state, Component& component, std::vector<TetId>
   component.rest_inertia = rest_shape(vertices, component.vertices, component.rest_centre).inertia;
 }
 
-/// Whether held, and by what; held vertices take the velocity of their motion. Needs: orientation.
+/// Whether the component is held, and by which motion. Held vertices take the velocity of their
+/// motion. Needs: orientation.
 void set_supports(MechanicsState& state, Component& component) {
   MotionId lowest = MotionId::none();
   component.partly_held = false;
@@ -125,7 +126,7 @@ void adopt_motion(Component& component, const FittedMotion& motion) {
   component.angular_momentum = motion.angular_momentum;
 }
 
-/// d'' of the parent's frame, turned into the new one and freed of what is rigid now.
+/// d'' of the parent's frame, turned into the new frame, without its rigid part there.
 void carry_acceleration(MechanicsState& state, const Component& component,
                         const Eigen::Quaterniond& parent_orientation) {
   const Mat3 turn = (component.orientation.conjugate() * parent_orientation).toRotationMatrix();
@@ -211,7 +212,7 @@ void seat_frame(const MechanicsState& state, Component& component, const Parent&
 }
 
 /// Factors may serve on; those of a component that is gone do not. A system retired before, and not
-/// asked for since, is still the one to compare with.
+/// used since, is still the reference.
 void retire_system(ComponentSystems& systems, ComponentId id, bool gone) {
   if (id.index() >= systems.present.size()) return;
   std::unique_ptr<ComponentSystem>& system = systems.present[id.index()];

@@ -11,7 +11,7 @@ namespace sunder {
 
 struct MechanicsScratch;
 
-/// What `make_state` needs. Spans must live during the call only.
+/// The input of `make_state`. Spans must live during the call only.
 struct BodyDescription {
   std::span<const Vec3> rest_positions;  ///< |V|, m
   std::span<const Corners> corners;      ///< |T|
@@ -23,10 +23,10 @@ struct BodyDescription {
 };
 
 /// Columns at rest: position = rest position, velocity 0, nothing held; stress 0; and the
-/// components. Afterwards set `vertices.support` with `motions` and call `rebuild` for what is
-/// held, and `place` for what is elsewhere. Errors: bad materials (see `check`), flat or inverted
-/// tetrahedra, rows out of range, spans of different lengths; all of them are found, not the first
-/// only. O(|V| + |T|).
+/// components. Afterwards set `vertices.support` with `motions` and call `rebuild` for held
+/// vertices, and `place` for bodies elsewhere. Errors: bad materials (see `check`), flat or
+/// inverted tetrahedra, rows out of range, spans of different lengths; all of them are found, not
+/// the first only. O(|V| + |T|).
 Result<MechanicsState> make_state(const BodyDescription& body);
 
 /// A rigid placement with a rigid velocity.
@@ -40,7 +40,7 @@ struct Placement {
 /// Puts a component, undeformed, where `placement` says; held vertices keep their motion.
 void place(MechanicsState& state, ComponentId component, const Placement& placement);
 
-/// What a rebuild had to give up.
+/// Energies given up by a rebuild.
 struct RebuildReport {
   /// J: strain and deformational kinetic energy of pieces that became rigid.
   double energy_released = 0;

@@ -164,11 +164,11 @@ struct TurnLimit {
   StepOutcome outcome;
 };
 
-/// A component that turns farther than a step follows: the cause of what else is wrong with it.
+/// A component that turns farther than a step follows: the cause of its other faults.
 constexpr TurnLimit spin_limit{&PredictedFrame::spun, longest_turn, StepOutcome::spun_too_far};
 
-/// A component whose loads keep their direction while it turns away under them by more than half a
-/// turn: what deforms it is not known at any time of the step.
+/// A component that turns by more than half a turn under loads with a fixed direction. The load on
+/// its deformation is not known at any time of the step.
 constexpr TurnLimit load_limit{&PredictedFrame::turned, M_PI, StepOutcome::overturned};
 
 void judge_turns(StepStatus& status, const MechanicsState& state, const MechanicsScratch& scratch,
@@ -209,7 +209,7 @@ void prepare(MechanicsState& state, const StepInput& input) {
   // The largest first, so that it does not begin when all others are done.
   std::ranges::stable_sort(missing, std::ranges::greater{},
                            [](const Component* c) { return c->vertices.size(); });
-  // What one thread could take from the other must be worth starting it.
+  // A second thread must have enough work to be worth its start.
   constexpr std::size_t least_vertices = 100;
   const unsigned threads = vertices - most >= least_vertices ? input.threads : 1;
   parallel_for(threads, missing.size(),

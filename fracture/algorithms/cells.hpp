@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The cells of all bodies and what breaking knows about them: map, components, skin, strength.
+// The cells of all bodies and their data for breaking: map, components, skin, strength.
 #pragma once
 
 #include <cmath>
@@ -22,9 +22,9 @@ struct EmptyFan {
   Mat3 stress_direction;
 };
 
-/// What hangs together by ties too (`CrackMode::cohesive`): the same tetrahedra as in `Cells::map`,
-/// sewn wherever they are sewn there or tied. Its components are the pieces. A face that is sewn in
-/// the map is sewn here to the same face; a vertex there lies in one vertex here.
+/// Pieces connected by faces or by ties (`CrackMode::cohesive`): the same tetrahedra as in
+/// `Cells::map`, sewn wherever they are sewn there or tied. Its components are the pieces. A face
+/// that is sewn in the map is sewn here to the same face; a vertex there lies in one vertex here.
 struct Pieces {
   DenseMap map;
   Components labels;  ///< `of_vertex`: by the rows of this map
@@ -41,7 +41,7 @@ struct Cells {
   std::vector<double> strength;
   /// |V|, Pa: painted on the mesh; 0 where the materials around decide.
   std::vector<double> painted;
-  /// |V|: what the material's or painted strength is multiplied with (Weibull); copies keep it.
+  /// |V|: factor on the material's or painted strength (Weibull); copies keep it.
   std::vector<double> flaw;
   /// |V|: 1 where the vertex never splits: no face that touches it is ever unsewn in a fan.
   std::vector<char> unbreakable;
@@ -105,8 +105,8 @@ double mean_edge_length(const VertexColumns& vertices, std::span<const Corners> 
 /// Area vector of a half-face at rest, m^2, out of its tetrahedron.
 Vec3 rest_area_vector(const VolumeMap& map, HalfFaceId face);
 
-/// A |n . n_f|, m^2: what a face counts of its crack, whose faces zigzag about its plane (see
-/// `CrackEnergy`). `area`: of the face, A n_f; `normal`: n of the plane, of length 1.
+/// A |n . n_f|, m^2: the share of a face in the area of its crack. Faces zigzag about the crack's
+/// plane (see `CrackEnergy`). `area`: of the face, A n_f; `normal`: n of the plane, of length 1.
 inline double projected_area(const Vec3& area, const Vec3& normal) {
   return std::abs(area.dot(normal));
 }

@@ -82,8 +82,8 @@ Candidate judge_fan(const Cells& cells, FanPlane fan) {
   return candidate;
 }
 
-/// Leaves the candidates whose value is largest, and those tied with it. Not pairwise: ties are not
-/// transitive, and what wins must not depend on the order.
+/// Leaves the candidates with the largest value, and those tied with it. Not pairwise: ties are not
+/// transitive, and the winner must not depend on the order.
 template <class Value>
 void keep_largest(std::vector<Candidate>& candidates, const Value& value) {
   double largest = value(candidates.front());

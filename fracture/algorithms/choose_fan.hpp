@@ -20,16 +20,16 @@ struct FanPlane {
   std::vector<char> positive = {};
 };
 
-/// Among the normals the stress allows, the one whose faces are least misaligned with it
+/// Among the normals that the stress allows, chooses the one with the least misaligned faces
 /// (area-weighted mean of |n . n_f|), then the one that continues an existing crack. Where
 /// tetrahedra have their centres on the plane, n and -n give different fans and both are judged.
 /// Where fans are equally good, to 1e-6, the folded normals decide (`octant_of`): larger |x|, |y|,
 /// |z|, then x, y, z.
 ///
 /// So mirror images of a vertex across the coordinate planes through `centre` choose mirror images
-/// of a fan, whatever the numbers of vertices and tetrahedra. Only a vertex ON such a plane whose
-/// best fan is not its own mirror image can choose but one of two images: the one that the rule
-/// above gives with the axis' positive direction.
+/// of a fan, for any numbers of vertices and tetrahedra. The exception is a vertex ON such a plane
+/// with a best fan that is not its own mirror image. It has to choose one of two images: the one
+/// that the rule above gives with the axis' positive direction.
 ///
 /// Gives no faces when every candidate has the whole star on one side.
 /// `v`: the star as it is. `centre`: rest mass centre of the vertex' component, m.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What one fan did.
+// The result of one fan.
 #pragma once
 
 #include <cstddef>

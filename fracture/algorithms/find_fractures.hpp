@@ -30,16 +30,15 @@ ElementStress element_stress(const Cells& cells, const MechanicsState& mechanics
 void measure_node_stress(NodeStressField& field, const VolumeMap& map,
                          const ElementStress& elements, NodeStress mode);
 
-/// The same anew, in numbers alone, for reports.
+/// The node stresses, measured again, in numbers alone, for reports.
 std::vector<Mat3> node_stress_of(const Cells& cells, const MechanicsState& mechanics,
                                  NodeStress mode);
 
-/// Where a search for fractures looks, and what it does with what it finds.
-/// `threshold(v)`: the threshold xi of a vertex, Pa; nothing for a vertex that is not looked at.
-/// Asked once a vertex, in rising order, when all node stresses are known.
-/// `split(v, tension)`: algorithm 4 for a vertex that reaches its threshold, with its largest
-/// eigenvalue and the eigenvectors: at once, as in the paper (`split_fan`), or when its turn comes
-/// (`break_vertices`).
+/// Where a search for fractures looks, and what it does with the vertices found. `threshold(v)`:
+/// the threshold xi of a vertex, Pa; nothing for a vertex outside the search. Called once per
+/// vertex, in rising order, when all node stresses are known. `split(v, tension)`: algorithm 4 for
+/// a vertex that reaches its threshold, with its largest eigenvalue and the eigenvectors. It splits
+/// at once, as in the paper (`split_fan`), or when its turn comes (`break_vertices`).
 template <class Search>
 concept FractureSearch = requires(Search& search, VertexId v, const PrincipalTension& tension) {
   { search.threshold(v) } -> std::same_as<std::optional<double>>;
@@ -47,7 +46,7 @@ concept FractureSearch = requires(Search& search, VertexId v, const PrincipalTen
 };
 
 /// Algorithm 3, findFractures(): the stress of each vertex from those of the tetrahedra around it
-/// (eq. 6), and a split of every vertex whose largest principal stress reaches its threshold.
+/// (eq. 6), and a split of every vertex with a largest principal stress that reaches its threshold.
 /// `elements`: eq. 5, which `measure_elements` (mechanics/measure_elements.hpp) has evaluated with
 /// the displacements, Pa. `field`: the result of eq. 6. Counts into `report`; stops at a stress
 /// that is not a number, `report.not_a_number`, before anything more is split.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Eigenvectors of a node stress, and what to do when several directions are equally tense.
+// Eigenvectors of a node stress, and the choice between equally tense directions.
 #include "fracture/algorithms/fracture_plane.hpp"
 
 #include <Eigen/Eigenvalues>

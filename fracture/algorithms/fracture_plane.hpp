@@ -24,8 +24,8 @@ PrincipalTension principal_tension(const Eigen::Matrix3d& sigma);
 
 /// Signs (+-1) of the octant about `centre` in which a point lies; + on its boundaries, to 1e-9. A
 /// direction multiplied with them, by components, is folded: mirror images across the coordinate
-/// planes through `centre` are then one, so that what is decided on folded directions keeps a
-/// mirror symmetry of the body.
+/// planes through `centre` are then one. So decisions on folded directions keep a mirror symmetry
+/// of the body.
 Eigen::Vector3d octant_of(const Eigen::Vector3d& point, const Eigen::Vector3d& centre);
 
 /// Candidate normals for a fracture plane, each the canonical direction seen in `octant`

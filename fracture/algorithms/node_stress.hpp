@@ -9,7 +9,7 @@
 
 namespace sunder {
 
-/// What a node stress is averaged from, a row a tetrahedron.
+/// The input of an averaged node stress, one row per tetrahedron.
 struct ElementStress {
   std::span<const Corners> corners;
   /// Pa, symmetric, in the rest frame of the tetrahedron's component.
@@ -37,8 +37,9 @@ void average_node_stress(std::vector<Mat3>& node_stress, const ElementStress& el
 void average_node_stress(std::vector<Mat3>& node_stress, const ElementStress& elements,
                          std::size_t vertices, std::vector<double>& weight);
 
-/// Adds the middles of edges of tetrahedra of second order, as long as `node_stress` is with them: the
-/// mean of what the tetrahedra round them have there, half-way between the ends. For display.
+/// Adds the stress at the middles of edges of second order to `node_stress`, which has rows for
+/// them. It is the mean, over the tetrahedra round the edge, of the stress half-way between its
+/// ends. For display.
 void add_edge_stress(std::vector<Mat3>& node_stress, const ElementStress& elements,
                      std::span<const EdgeNodes> edge_nodes);
 

@@ -12,8 +12,8 @@
 namespace sunder {
 namespace {
 
-/// Parts of a star or a ring, rising, whose tetrahedra do not meet across `cut` (half-faces of both
-/// sides, sorted).
+/// Parts of a star or a ring, rising: sets of tetrahedra that are not connected across `cut`
+/// (half-faces of both sides, sorted).
 std::vector<std::vector<TetId>> parts_of(const VolumeMap& map, std::span<const TetId> tets,
                                          std::span<const HalfFaceId> cut) {
   const std::vector<std::uint32_t> first =

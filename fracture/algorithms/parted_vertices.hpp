@@ -17,8 +17,8 @@ struct PartedVertex {
   std::vector<std::vector<TetId>> sides;
 };
 
-/// The vertices that splitting `faces` would part, in rising order of row: those whose star falls
-/// apart when its tetrahedra no longer meet across these faces. Nothing is split. O(stars).
+/// The vertices that splitting `faces` would part, in rising order of row. Their stars fall apart
+/// when tetrahedra are no longer connected across these faces. Nothing is split. O(stars).
 std::vector<PartedVertex> parted_vertices(const VolumeMap& map, std::span<const HalfFaceId> faces);
 
 /// The same for the nodes of edges (`nodes`: |T|, none() where a tetrahedron has none; empty: nowhere).

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The map as it would be without a fan's faces, and the search for what would come off.
+// The map as it would be without a fan's faces, and the search for parts that would come off.
 #include "fracture/algorithms/piece_limits.hpp"
 
 #include <algorithm>
@@ -69,7 +69,7 @@ bool exceeds_limits(const Cells& cells, const MechanicsState& mechanics,
     search.add_source(tetrahedron_of(cells.map.neighbour(face)));
   }
   search.run(1);
-  // One part, still growing or the last to close, is what is left of the piece.
+  // One part, still growing or the last to close, is the rest of the piece.
   const std::size_t parts = scratch.closed.size() + search.growing();
   if (parts < 2) return false;
   if (settings.max_pieces > 0 && parts_sewn(cells) + parts - 1 > settings.max_pieces) return true;

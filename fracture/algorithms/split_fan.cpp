@@ -9,8 +9,8 @@
 namespace sunder {
 namespace {
 
-/// The vertices of the fan's faces have a crack beside them now: their threshold may be another.
-/// Gives the tetrahedra met.
+/// Updates the thresholds of the vertices of the fan's faces, which now lie at a crack. Gives the
+/// number of tetrahedra visited.
 std::size_t refresh_strength(BreakableBody body, const FanEvent& event) {
   Cells& cells = body.cells;
   std::vector<VertexId> rows;
@@ -78,7 +78,7 @@ FanEvent split_fan(BreakableBody body, const VertexStar& v, const Vec3& u,
     event.faces.push_back(split);
   }
   // If the oracle predicts new connected components, identify them, from the faces it points at.
-  // What is tied has not come off yet; that is found out as ties are released.
+  // Tied parts have not come off yet; that is found as ties are released.
   const bool is_tied = body.cells.pieces.has_value();
   if (!is_tied && (new_component || !asks_oracle(settings.detection))) {
     event.components =

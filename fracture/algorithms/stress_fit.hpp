@@ -27,8 +27,8 @@ struct StressPatch {
   bool fitted = false;
 };
 
-/// Patches of all vertices, made when first asked for. A cache: it depends on the map and the rest
-/// volumes alone, and finds out by itself what has split since it was used last.
+/// Patches of all vertices, made at their first use. A cache: it depends on the map and the rest
+/// volumes alone, and detects the vertices that have split since its last use.
 struct StressFit {
   std::vector<StressPatch> patches;  ///< |V|
   /// Rows of one point of the mesh, as chains: first by point, next by row.

@@ -43,7 +43,7 @@ ThresholdAnswer test_eigenvalues(const Eigen::Matrix3d& sigma, double xi) {
 ThresholdAnswer test_threshold(const Eigen::Matrix3d& sigma, double xi, ThresholdTest way,
                                std::size_t& suspects) {
   if (way == ThresholdTest::chain || way == ThresholdTest::gershgorin) {
-    // A bound that is not a number is not below: the second test tells.
+    // A bound that is not a number is not below: the second test decides.
     if (gershgorin_bound(sigma) < xi) return ThresholdAnswer::below;
     ++suspects;
   }

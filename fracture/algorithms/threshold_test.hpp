@@ -10,7 +10,7 @@
 
 namespace sunder {
 
-/// What a test of one stress tensor against a threshold says.
+/// The result of a test of one stress tensor against a threshold.
 enum class ThresholdAnswer { below, reached, not_a_number };
 
 /// Upper bound of the eigenvalues of a symmetric tensor, max_i M_ii + sum_{j != i} |M_ji|
@@ -28,8 +28,8 @@ ThresholdAnswer test_threshold(const Eigen::Matrix3d& sigma, double xi);
 /// is, for an infinite one too.
 ThresholdAnswer test_eigenvalues(const Eigen::Matrix3d& sigma, double xi);
 
-/// Whether the largest eigenvalue of `sigma` reaches `xi`, in one of the ways above; `suspects`
-/// counts what Gershgorin's bound lets through, where it is asked.
+/// Whether the largest eigenvalue of `sigma` reaches `xi`, in one of the ways above. `suspects`
+/// counts the tensors that Gershgorin's bound lets through, where it is used.
 ThresholdAnswer test_threshold(const Eigen::Matrix3d& sigma, double xi, ThresholdTest way,
                                std::size_t& suspects);
 

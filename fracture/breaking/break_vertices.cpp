@@ -19,13 +19,13 @@
 namespace sunder {
 namespace {
 
-/// Overstresses that differ by less are tied: far above rounding and what a solver leaves, far
-/// below what a mesh resolves.
+/// Overstresses that differ by less are tied: far above rounding and the error of a solver, far
+/// below the resolution of a mesh.
 constexpr double tie = 1e-6;
 /// Change of a tensor over its norm that may turn its planes by about half a degree.
 constexpr double changed_direction = 0.01;
 
-/// Row = VertexId: whether it is looked at. Taken before anything splits.
+/// Row = VertexId: whether it belongs to the search. Set before anything splits.
 void look_at(std::vector<char>& rows, const MechanicsState& mechanics, const StepMembers& members) {
   rows.resize(mechanics.vertices.size());
   for (std::size_t v = 0; v < rows.size(); ++v) {
@@ -46,7 +46,7 @@ void look_for_cracks(std::vector<char>& cracked, const Cells& cells) {
   }
 }
 
-/// What the search looks at, before any stress is known.
+/// Prepares the search, before any stress is known.
 void prepare(FractureWork& work, const StepMembers& members) {
   FractureScratch& scratch = work.scratch;
   const Cells& cells = work.body.cells;
@@ -72,7 +72,7 @@ void set_tip_strength(FractureWork& work, VertexId v) {
       tip_strength(work.body.cells, work.body.mechanics, deformed, {v, work.stress(v)});
 }
 
-/// Whether a held vertex goes on waiting: its stress is what it was.
+/// Whether a held vertex goes on waiting: its stress has not changed.
 bool stays_held(const FractureWork& work, const EmptyFan& empty) {
   const Mat3& sigma = work.stress(empty.vertex);
   const double change = (sigma / sigma.norm() - empty.stress_direction).norm();
@@ -141,7 +141,7 @@ struct FirstCandidate {
   }
 };
 
-/// What algorithm 3 does here: candidates wait for their turn.
+/// The search of algorithm 3: candidates wait for their turn.
 struct Candidates {
   FractureWork& work;
 
@@ -149,7 +149,8 @@ struct Candidates {
   void split(VertexId v, const PrincipalTension& tension) { enqueue(work, v, tension); }
 };
 
-/// Counts those that waited and are over their threshold no longer; forgets who waited.
+/// Counts waiting vertices that are below their threshold now, and clears the list of waiting
+/// vertices.
 void count_relieved(FractureWork& work) {
   std::vector<char>& waits = work.body.cells.waits;
   waits.resize(work.body.cells.map.vertices(), 0);
@@ -190,7 +191,7 @@ bool is_refused(FractureWork& work, const PlannedFan& plan) {
   return exceeds_limits(cells, work.body.mechanics, faces, work.settings, work.scratch.components);
 }
 
-/// Rows that a fan split, old and new; copies of what has broken have broken.
+/// Rows that a fan split, old and new; copies of broken vertices count as broken.
 void note_splits(FractureWork& work, const FanEvent& event, std::vector<VertexId>& split_rows) {
   FractureScratch& scratch = work.scratch;
   const std::size_t rows = work.body.cells.map.vertices();
@@ -230,7 +231,7 @@ void split(FractureWork& work, const PlannedFan& plan, std::uint32_t round,
   work.report.fans.push_back(std::move(event));
 }
 
-/// Lets what was split open, and adds the vertices whose stress that changes.
+/// Lets the split faces open, and adds the vertices with a changed stress.
 void relax(FractureWork& work, std::vector<VertexId>& rows) {
   RelaxedState& relaxed = work.scratch.relaxed;
   relax_around(relaxed, work.body.cells, work.body.mechanics, work.settings.relax);
@@ -240,7 +241,7 @@ void relax(FractureWork& work, std::vector<VertexId>& rows) {
   });
 }
 
-/// Measures what the fans of a tie split, and queues it anew.
+/// Measures the vertices that the fans of a tie split, and queues them again.
 void follow_splits(FractureWork& work, std::vector<VertexId>& split_rows) {
   if (work.settings.relax > 0) relax(work, split_rows);
   sort_unique(split_rows);
@@ -265,7 +266,7 @@ void follow_splits(FractureWork& work, std::vector<VertexId>& split_rows) {
   }
 }
 
-/// Queues those around fans of cracks anew: the front may pass through them now.
+/// Queues the vertices around fans of cracks again: the front may pass through them now.
 void follow_fronts(FractureWork& work, std::span<const PlannedFan> fans) {
   std::vector<VertexId> around;
   const VolumeMap& map = work.body.cells.map;
@@ -353,7 +354,7 @@ FanEvent split_planned(BreakableBody body, const PlannedFan& fan, const Fracture
   FanEvent event = split_fan(body, fan.v, fan.normal, fan.positive, settings, scratch);
   event.stress = fan.stress;
   event.strength = fan.strength;
-  // One whose faces are all gone leaves nothing, its crack's labels neither: no event tells of it.
+  // A fan without any face left leaves nothing, not even labels of its crack: it has no event.
   if (!fan.crack.is_none() && !event.faces.empty()) {
     note_crack(body.cells, body.mechanics, fan, event);
   }

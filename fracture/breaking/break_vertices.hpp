@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Algorithms 3 and 4 as runs use them: in which order vertices break, what is decided on which
-// state, and what became of the others.
+// Algorithms 3 and 4 as runs use them: the order of breaking vertices, the state of each decision,
+// and the fate of the other vertices.
 #pragma once
 
 #include <cstdint>
@@ -31,38 +31,40 @@ struct FractureScratch {
 };
 
 /// Finds the vertices over their thresholds (algorithm 3, `find_fractures`) on the element stresses
-/// in `body.mechanics` (Pa, rest frame of each component) and splits them (algorithm 4,
-/// `split_fan`), the most overstressed first.
+/// in `body.mechanics` (Pa, rest frame of each component). Splits them (algorithm 4, `split_fan`),
+/// the most overstressed first.
 ///
-/// Candidates whose overstresses differ by no more than 1e-6 from one to the next are tied: planes
-/// and faces of all of them are decided on the state as it is before any of them is split. So what
-/// breaks first does not depend on the numbers of vertices, and mirror images break alike: their
-/// stresses differ by the rounding of sums in another order and of the solver, 1e-9 and less. Held
-/// by tests for mirrors across the coordinate planes of the mesh through the body's mass centre.
-/// What cannot be alike: a vertex on the mirror's plane whose best fan is not its own image has one
-/// of two images, by `choose_fan`'s last rule; and the limits on pieces, which know an order.
+/// Candidates with overstresses that differ by no more than 1e-6 from one to the next are tied.
+/// Planes and faces of all of them are decided on the state as it is before any of them is split.
+/// So the first break does not depend on the numbers of vertices, and mirror images break alike.
+/// Their stresses differ by the rounding of sums in another order and of the solver, 1e-9 and less.
+/// Tests check this for mirrors across the coordinate planes of the mesh through the body's mass
+/// centre. Two things cannot be alike. A vertex on the mirror's plane with a best fan that is not
+/// its own image has one of two images, by `choose_fan`'s last rule. The limits on pieces depend on
+/// an order.
 ///
 /// After the fans of a tie the stress of every vertex they split is measured again, of old rows as
-/// of new, and those over their threshold take part with it. A vertex and its copies break once a
-/// step at most: the element stresses are those from before, and breaking on them again would grind
-/// the star to single tetrahedra. With `fit`, neighbours of what split are measured again when
+/// of new. Those over their threshold take part with it. A vertex and its copies break once per
+/// step at most. The element stresses are those from before, and breaking on them again would grind
+/// the star to single tetrahedra. With `fit`, neighbours of split vertices are measured again when
 /// their turn comes.
 ///
 /// With `relax` the stresses around the fans of a tie are solved for again and decide from there
-/// on: whoever they bring over the threshold joins the queue, whoever they relieve leaves it.
+/// on. Vertices that they bring over the threshold join the queue, and relieved vertices leave it.
 ///
-/// A vertex whose fan is empty or was refused waits until its stress changes, untested: until its
-/// tensor over its norm differs by more than 0.01 (Frobenius; half a degree; a stress that only
-/// grows keeps its planes), it has been below its threshold, or it has been split.
+/// A vertex with an empty or refused fan waits, untested, until its stress changes. Its tensor over
+/// its norm then differs by more than 0.01 (Frobenius; half a degree). A stress that only grows
+/// keeps its planes. The vertex also ends its wait when it has been below its threshold, or has
+/// been split.
 /// With `CrackMode::object` vertices on the front of a crack come before those that would start
-/// one, and after each tie all vertices around its fans are looked at again: a crack grows as far
-/// as the stresses carry it before the next one starts. Those on a flank wait (`choose_crack`).
+/// one. After each tie all vertices around its fans are tested again: a crack grows as far as the
+/// stresses carry it before the next one starts. Vertices on a flank wait (`choose_crack`).
 ///
 /// Leaves `mechanics.elements.component`, masses and frames to the caller (`rebuild`).
-/// Only vertices of `members` are looked at: the others' time has not come. `untested`: s, since
-/// fractures were looked for before; loads have grown meanwhile, and what they overload together
-/// would have broken one after the other: a new crack holds others back as far as its wave goes in
-/// that time (`choose_crack`).
+/// Tests only vertices of the components in `members`; the others are stepped separately.
+/// `untested`: s, the time since the previous search. Loads have grown during it, so vertices that
+/// are overloaded together would have broken one after the other. A new crack therefore holds
+/// others back as far as its wave goes in that time (`choose_crack`).
 FractureReport break_vertices(BreakableBody body, const FractureSettings& settings,
                               FractureScratch& scratch, const StepMembers& members = {},
                               const FanWatch& watch = {}, double untested = 0);
@@ -72,8 +74,8 @@ FractureReport break_vertices(BreakableBody body, const FractureSettings& settin
 bool any_breaks(BreakableBody body, const FractureSettings& settings, FractureScratch& scratch,
                 const StepMembers& members);
 
-/// Splits fans that were decided on one state, in their order; `split_fan` with what their events
-/// have to tell beside it. Those with no face left give events without faces.
+/// Splits fans that were decided on one state, in their order: `split_fan`, and the further values
+/// of their events. Those with no face left give events without faces.
 FanEvent split_planned(BreakableBody body, const PlannedFan& fan, const FractureSettings& settings,
                        ComponentScratch& scratch);
 

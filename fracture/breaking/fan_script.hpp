@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Fans of an earlier run, made again where and when they came: what a replay is.
+// Fans of an earlier run, made again at the same place and time: the basis of a replay.
 #pragma once
 
 #include <compare>
@@ -49,11 +49,11 @@ struct FanScript {
 };
 
 /// Makes the fans that the script has for the search at `place`, without any threshold test, and
-/// moves the script on; gives their events. Round by round: the faces of all fans of a round follow
-/// from their vertices and normals on the state before any of them is split, as in
-/// `break_vertices`. Limits on pieces are not asked again. Stops at the first fan that does not fit
-/// (its search has passed, its vertex is not there, its plane parts nothing) and says so in
-/// `script.departure`. Whether what they split is what they split then is the caller's to compare.
+/// moves the script on; gives their events. Round by round, the faces of all fans follow from their
+/// vertices and normals before any of them is split, as in `break_vertices`. Limits on pieces are
+/// not tested again. Stops at the first fan that does not fit, and reports it in
+/// `script.departure`: its search has passed, its vertex is not there, or its plane parts nothing.
+/// The caller compares the split faces with those of the earlier run.
 /// `untested`: s, as in `break_vertices`.
 /// Needs: calls in the order of the run, one for every search. Cost: that of the fans.
 std::vector<FanEvent> make_fans(BreakableBody body, const FractureSettings& settings,

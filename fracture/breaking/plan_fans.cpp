@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From a vertex whose turn has come to its fan.
+// From the next vertex in the queue to its fan.
 #include "fracture/breaking/plan_fans.hpp"
 
 #include "fracture/algorithms/choose_fan.hpp"
@@ -34,7 +34,7 @@ void plan_fan(std::vector<PlannedFan>& plans, FractureWork& work, PlannedFan pla
   plans.push_back(std::move(plan));
 }
 
-/// The fan of a vertex whose turn has come, if it has one and does not wait.
+/// The fan of the next vertex in the queue, if it has one and does not wait.
 void plan_vertex(std::vector<PlannedFan>& plans, FractureWork& work, VertexId v) {
   const PrincipalTension tension = principal_tension(work.stress(v));
   PlannedFan plan{vertex_star(work.body.cells.map, v), {}, tension.value, work.strength(v)};
@@ -80,7 +80,7 @@ CrackChoice crack_of(const FractureWork& work, const VertexStar& v,
 
 namespace {
 
-/// Whether the budget allows no fan beside those made and planned.
+/// Whether the budget allows no fan besides those made and planned.
 bool is_spent(const FractureWork& work, std::size_t planned) {
   if (work.settings.mode != FractureMode::budget) return false;
   const std::size_t pieces = work.body.cells.labels.size.size() - work.pieces_before;

@@ -47,7 +47,7 @@ struct FractureWork {
   }
 };
 
-/// Node stress of one vertex anew.
+/// Measures the node stress of one vertex again.
 void measure(FractureWork& work, VertexId v);
 
 /// From now on the vertex waits until its stress changes.

@@ -19,17 +19,17 @@ struct CrackAnchor {
   VertexId vertex, copy;
   Vec3 at = Vec3::Zero();      ///< m, rest frame
   Vec3 normal = Vec3::Zero();  ///< unit length, rest frame, towards the crack's positive side
-  /// s: when it broke. Until its wave (m/s) has come to it, what is within reach (m) bears the
-  /// stress from before. Reach 0: long ago.
+  /// `time`, s: when it broke. Points within `reach` (m) keep their old stress until the release
+  /// wave, at `wave_speed` (m/s), arrives. Reach 0: the wave has passed everywhere.
   double time = 0, wave_speed = 0, reach = 0;
   /// 1 + the row of the crack's anchor before; 0: none.
   std::uint32_t before = 0;
 };
 
-/// The cracks of all bodies. Crack k labels tetrahedra + or -; its faces are sewn faces between the
-/// two that were unsewn at a vertex which broke: the coboundary of the labelling, as far as it has
-/// broken. Labels never change, so fans of one crack commute: whatever their order, the same
-/// half-faces are unsewn (docs/explanation/cracks.md). Empty with `CrackMode::paper`.
+/// The cracks of all bodies. Crack k labels tetrahedra + or -. Its faces are sewn faces between the
+/// two that were unsewn at a broken vertex: the coboundary of the labelling, as far as it has
+/// broken. Labels never change, so fans of one crack commute: in any order the same half-faces are
+/// unsewn (docs/explanation/cracks.md). Empty with `CrackMode::paper`.
 struct CrackLabels {
   std::uint32_t cracks = 0;
   std::vector<CrackLabel> labels;          ///< in the order in which they were decided
@@ -43,7 +43,7 @@ struct CrackLabels {
 enum class Side : char { undecided, negative, positive };
 Side side_of(const CrackLabels& cracks, CrackId crack, TetId tetrahedron);
 
-/// What a vertex' star holds of a crack.
+/// The sides of a crack in a vertex' star.
 struct CrackAtVertex {
   CrackId crack;
   bool positive = false, negative = false;
@@ -68,7 +68,7 @@ void add_anchor(CrackLabels& cracks, CrackAnchor anchor);
 /// Whether its wave is under way at `time` and has not come as far as `distance` from it (m).
 bool holds_back(const CrackAnchor& anchor, double time, double distance);
 
-/// The first anchor whose wave is under way at `time`, as a row. O(anchors).
+/// The first anchor with its wave under way at `time`, as a row. O(anchors).
 std::size_t first_under_way(const CrackLabels& cracks, double time);
 
 /// A crack's plane, or the mean of several.

@@ -83,7 +83,7 @@ void open_cracks(std::vector<OpenCrack>& cracks, const NewCracks& fresh,
   const std::vector<Parted> parted = parted_vertices(fresh.fans, first, group);
   const std::vector<Vec3> force = forces_on(group, state, cells.map.corners());
   for (const Parted& vertex : parted) {
-    // What is left of the sum is the vertex's own inertia and load: the same for every side.
+    // The rest of the sum is the vertex's own inertia and load: the same for every side.
     Vec3 sum = Vec3::Zero();
     for (VertexId v : vertex.rows) sum += force[v.index()];
     const double share = 1.0 / static_cast<double>(vertex.rows.size());

@@ -20,7 +20,7 @@ struct CrackSide {
   Vec3 opening = Vec3::Zero();  ///< m, world: how far its deformation has moved it since
 };
 
-/// A fan whose opening is still followed.
+/// A fan with an opening that is still followed.
 struct OpenCrack {
   std::uint64_t fan = 0;           ///< running number, from 0: `fan` in events.jsonl
   double time = 0;                 ///< s, of the fan
@@ -29,9 +29,10 @@ struct OpenCrack {
   double followed = 0;  ///< s
 };
 
-/// Half of the forces times the ways: what it takes to close the crack again [virtual crack
-/// closure, Rybicki and Kanninen 1977]. In linear statics that is what the body with its loads
-/// gives up, exactly; in dynamics what left the two sides until then, as motion or loss.
+/// Half of the forces times the ways: the work to close the crack again [virtual crack closure,
+/// Rybicki and Kanninen 1977]. In linear statics that is exactly the energy that the body with its
+/// loads gives up. In dynamics it is the energy that left the two sides until then, as motion or
+/// loss.
 CrackEnergy energy_of(const OpenCrack& crack);
 
 /// Fans right after they were split, before `rebuild`; stresses are those they broke at. A vertex
@@ -52,9 +53,10 @@ struct EnergyPart {
 };
 
 /// Adds the openings of a part. A crack is settled when a wave has crossed the largest of its
-/// pieces once (L/c): by then what its force held is gone, and has not come back from the far end.
-/// Steps that are longer come to rest within one. Appends what is settled to `settled` and forgets
-/// it. Pieces that became rigid tetrahedra do not open: what they give up is counted elsewhere.
+/// pieces once (L/c). By then the energy held by its force is gone, and has not come back from the
+/// far end. Steps that are longer come to rest within one. Appends settled cracks to `settled` and
+/// removes them from `cracks`. Pieces that became rigid tetrahedra do not open: their energy is
+/// counted elsewhere.
 void follow_cracks(std::vector<CrackEnergy>& settled, std::vector<OpenCrack>& cracks,
                    const MechanicsState& state, const EnergyPart& step);
 

@@ -38,7 +38,7 @@ struct Trial {
   std::span<const PartedVertex> parted;
   FactorBorder border;
   std::size_t first = 0;    ///< of its columns that are new
-  Eigen::VectorXd missing;  ///< 3 a new copy, N, body frame: the load less what its side carries
+  Eigen::VectorXd missing;  ///< 3 a new copy, N, body frame: the load less the force of its side
 
   std::uint32_t extended_row(VertexId v) const {
     const std::uint32_t local = local_row[v.index()];
@@ -140,8 +140,8 @@ std::optional<double> energy_of_border(const Trial& trial) {
   return 0.5 * y.squaredNorm();
 }
 
-/// The same from the eigenvalues of S = C - B^T K^-1 B, for pieces that come free: what moves
-/// without resistance releases nothing unless a load drives it.
+/// The same from the eigenvalues of S = C - B^T K^-1 B, for pieces that come free: a motion without
+/// resistance releases nothing unless a load drives it.
 double energy_of_free_piece(const Trial& trial) {
   const FactorBorder& border = trial.border;
   const std::size_t old = trial.first, size = border.columns.size() - old;

@@ -15,7 +15,7 @@ namespace sunder {
 
 struct MechanicsScratch;
 
-/// A supported body in equilibrium, with what pulls at it.
+/// A supported body in equilibrium, with its loads.
 struct ReleaseInput {
   const Cells& cells;
   MechanicsState& mechanics;           ///< displacements and stresses in equilibrium
@@ -28,7 +28,7 @@ struct ReleaseInput {
 std::vector<Vec3> node_loads(std::span<const CornerLoad> loads, const MechanicsState& state,
                              double time);
 
-/// What splitting some faces would release.
+/// The energy that splitting some faces would release.
 struct EnergyRelease {
   double area = 0;         ///< m^2, of the faces
   double projected = 0;    ///< m^2, of them on the crack's plane, as in `CrackEnergy`
@@ -41,15 +41,15 @@ struct EnergyRelease {
 };
 
 /// Potential energy that splitting `faces` (of one component) would release, through the factor of
-/// K with the copies as a border (factor_border.hpp): with r the force that each copy is left
-/// without on its side and S the corner that is left of the bordered matrix,
+/// K with the copies as a border (factor_border.hpp). With r the missing force of each copy on its
+/// side and S the remaining corner of the bordered matrix,
 ///   Delta Pi = r . S^-1 r / 2,
 /// which is exact in linear statics and equals the virtual crack closure of crack_energy.hpp.
 /// Faces on the boundary count for nothing. Held vertices do not part. Errors: "not_supported"
 /// where the component has no equilibrium; "not_a_number". Cost: twelve half back-solves for four
-/// copies, 0.2 ms at 6 000 tetrahedra, once K is factored; where a piece comes free, three whole
-/// ones a copy instead. Leaves that factor in the state, as `solve_static` and quasi-static steps
-/// do; a step of another kind factors anew.
+/// copies, 0.2 ms at 6 000 tetrahedra, once K is factored. Where a piece comes free, it is three
+/// whole ones per copy instead. Leaves that factor in the state, as `solve_static` and quasi-static
+/// steps do; a step of another kind factors again.
 /// `normal`: of the crack's plane, rest frame, of any length but 0.
 Result<EnergyRelease> energy_release(const ReleaseInput& input, std::span<const HalfFaceId> faces,
                                      const Vec3& normal);

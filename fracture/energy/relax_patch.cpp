@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The patch around some fans, its stiffness, and what their opening does to the stresses.
+// The patch around some fans, its stiffness, and the effect of their opening on the stresses.
 #include "fracture/energy/relax_patch.hpp"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ namespace {
 
 using Eigen::Index;
 
-/// What the star of a vertex bears in the state, N, and its mass, kg.
+/// Force of the star of a vertex in the state, N, and its mass, kg.
 struct Borne {
   Vec3 force = Vec3::Zero();
   double mass = 0;
@@ -54,7 +54,7 @@ std::map<VertexId, VertexId> roots_of_copies(RelaxedState& relaxed, const FanEve
 }
 
 /// A piece of the body as if it were a component: `vertices` are the patch's, rim and all. `inner`:
-/// what was split; then all nodes that are free.
+/// the split vertices; then all nodes that are free.
 Component patch_around(const Cells& cells, const MechanicsState& m, std::vector<VertexId>& inner,
                        std::uint32_t rings) {
   Component patch;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Front edges by walks round them, and the domain integral over the tetrahedra beside them.
+// Front edges by walks round them, and the domain integral over the tetrahedra around them.
 #include "fracture/energy/tip_energy.hpp"
 
 #include <algorithm>

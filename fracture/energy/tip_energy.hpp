@@ -10,7 +10,7 @@
 
 namespace sunder {
 
-/// Displacements and what they strain, body frame.
+/// Displacements and their stresses, body frame.
 struct Deformed {
   std::span<const Vec3> displacement;  ///< |V|, m
   std::span<const Mat3> stress;        ///< |T|, Pa

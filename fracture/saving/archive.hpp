@@ -22,15 +22,15 @@
 
 namespace sunder {
 
-/// What an overload of `member_names` gives.
+/// Makes the result of an overload of `member_names`.
 template <class... Name>
 constexpr std::array<std::string_view, sizeof...(Name)> names(const Name&... name) {
   return {std::string_view(name)...};
 }
 
 /// Calls `visit` with the name of every member of a struct and the member, in their order.
-/// Overloads of `member_names(const T*)` say what they are called: a struct that gains or loses one
-/// does not compile until they, and with them the format, are looked at.
+/// Overloads of `member_names(const T*)` give the names. A struct that gains or loses a member does
+/// not compile until they, and with them the format, are reviewed.
 template <class T, class Visit>
 void for_each_member(T& x, Visit visit) {
   constexpr auto called = member_names(static_cast<const T*>(nullptr));
@@ -103,7 +103,7 @@ void for_each_member(T& x, Visit visit) {
 template <class T>
 concept Scalar = std::is_arithmetic_v<T> || std::is_enum_v<T>;
 
-/// What a number is in a file: `long`, and so sizes and indices, has 64 bits, whatever the machine.
+/// The type of a number in a file: `long`, and so sizes and indices, has 64 bits on every machine.
 template <Scalar T>
 using Saved = std::conditional_t<std::is_same_v<T, unsigned long>, std::uint64_t,
                                  std::conditional_t<std::is_same_v<T, long>, std::int64_t, T>>;
@@ -133,8 +133,8 @@ struct StateWriter {
   void count(const std::uint64_t& n) { numbers(&n, 1); }
 };
 
-/// Takes from the front of `bytes`. What is not there, or claims to be more than is there, fails;
-/// after that nothing is read or allocated any more.
+/// Takes from the front of `bytes`. A read beyond the end, or a size that claims more than is
+/// there, fails; after that nothing is read or allocated any more.
 struct StateReader {
   std::string_view bytes;
   bool failed = false;
@@ -169,8 +169,8 @@ struct StateReader {
 template <class Archive>
 inline constexpr bool is_reader = std::is_same_v<Archive, StateReader>;
 
-/// An archive that writes nothing and is told where each number stands: `enter` with a member's
-/// name (whether to go in) or a row, and `leave`.
+/// An archive that writes nothing and gets the place of each number: `enter` with a member's name
+/// (whether to go in) or a row, and `leave`.
 template <class Archive>
 inline constexpr bool is_told_places = requires(Archive& a) {
   a.leave();

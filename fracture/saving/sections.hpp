@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Internal to saving: the sections of a saved state and all that is in them, once for those who
-// write, read and look at its numbers.
+// Internal to saving: the sections of a saved state and all their parts, once for writers, readers
+// and checks of numbers.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +20,7 @@
 
 namespace sunder {
 
-/// The leading rows and columns that are in use; what lies beyond is capacity.
+/// The leading rows and columns that are in use; the rest is capacity.
 template <class Archive, class Matrix>
 void archive_used(Archive& a, Matrix& matrix, std::size_t blocks) {
   if constexpr (is_reader<Archive>) {
@@ -114,7 +114,7 @@ void archive_map(Archive& a, Map& map) {
   }
 }
 
-/// A part of a section and what findings call it.
+/// A part of a section and its name in findings.
 template <class T>
 struct NamedPart {
   std::string_view name;
@@ -123,7 +123,7 @@ struct NamedPart {
 template <class T>
 NamedPart(std::string_view, T&) -> NamedPart<T>;
 
-/// A part of the file with its name and length. A reader must take just what is there.
+/// A part of the file with its name and length. A reader must consume it exactly.
 template <class Archive, class... T>
 void section(Archive& a, std::string_view name, NamedPart<T>... parts) {
   if constexpr (is_reader<Archive>) {
@@ -154,7 +154,7 @@ template <class Archive, class M>
 requires std::is_same_v<std::remove_const_t<M>, DenseMap>
 void archive_struct(Archive& a, M& map) { archive_map(a, map); }
 
-/// A solid with its surface: that is made anew of its points and triangles.
+/// A solid with its surface, which is made again from its points and triangles.
 template <class Archive, class S>
 requires std::is_same_v<std::remove_const_t<S>, Solid>
 void archive_struct(Archive& a, S& solid) {

@@ -16,7 +16,7 @@
 namespace sunder {
 namespace {
 
-/// What is large and follows from the columns, or never changes.
+/// Large sections that follow from the columns or never change.
 constexpr std::array<std::string_view, 5> beside_columns = {"scene", "bodies", "map", "pieces",
                                                             "systems"};
 
@@ -25,7 +25,7 @@ bool is_looked_at(NumbersOf which, std::string_view name) {
          std::ranges::find(beside_columns, name) == beside_columns.end();
 }
 
-/// Whether there is a NaN at all, without a word about where: what nearly every step asks.
+/// Whether there is a NaN at all, without its place: the question of nearly every step.
 class NanProbe {
  public:
   explicit NanProbe(NumbersOf which) : which_(which) {}
@@ -129,7 +129,7 @@ class NumberSeeker {
   std::size_t at_ = 12;
 };
 
-/// What a row of a column is of.
+/// The kind of object that a row of a column belongs to.
 std::string_view row_word(std::string_view column) {
   constexpr std::pair<std::string_view, std::string_view> words[] = {
       {"vertices.", "vertex"},      {"elements.", "tetrahedron"}, {"components.", "component"},

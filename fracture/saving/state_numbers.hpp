@@ -11,8 +11,8 @@
 
 namespace sunder {
 
-/// Which numbers are looked at: the columns of what evolves, about 400 bytes a tetrahedron, or all
-/// that a saved state holds, matrices, factors, map and scene among it.
+/// Which numbers are examined: the columns of the evolving state, about 400 bytes per tetrahedron,
+/// or all numbers of a saved state. The latter have matrices, factors, map and scene too.
 enum class NumbersOf { columns, everything };
 
 /// The floating-point numbers of a member, over all rows, named by the members it lies in.
@@ -25,7 +25,8 @@ struct NumberColumn {
   std::size_t first_byte = 0, last_byte = 0;
 };
 
-/// All columns that have a number. The list is that of saved states: what is saved is looked at.
+/// All columns that have a number. The list is that of saved states: every saved number is
+/// examined.
 std::vector<NumberColumn> number_columns(const Simulation& simulation, NumbersOf which);
 
 /// The columns that have a NaN: one finding, not_a_number, that names the step and of each column

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How large a body is, how fine its mesh and how fast its waves: what checks and choices go by.
+// The size of a body, the fineness of its mesh and the speed of its waves: the basis of checks and
+// choices.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -48,9 +49,8 @@ struct BodyMeasures {
 /// least, and settings without errors.
 BodyMeasures measure(const BodySettings& body);
 
-/// What one rigid reference sees of strain that is not there, eps (L/t)^2 / 2, over the strain eps
-/// at which the body breaks when it is bent (docs/explanation/theory.md); infinite where nothing
-/// breaks. Needs: `measure(body)`.
+/// False strain seen by one rigid reference, eps (L/t)^2 / 2, over the strain eps at which the bent
+/// body breaks (docs/explanation/theory.md). Infinite where nothing breaks. Needs: `measure(body)`.
 double false_strain(const BodySettings& body, const BodyMeasures& measures);
 
 /// With fewer layers linear tetrahedra show less than two thirds of the true bending: `few_layers`.

@@ -67,7 +67,7 @@ void check_boxes(fields::SettingsCheck& check, const BodySettings& body,
   }
 }
 
-/// What moves a vertex moves it along the axes on which it is held.
+/// A prescribed velocity moves a vertex along the axes on which it is held.
 void check_axes(fields::SettingsCheck& check, const BodySettings& body) {
   for (std::size_t i = 0; i < body.held.size(); ++i) {
     const Vec3 own = body.rotation.conjugate() * body.held[i].velocity;
@@ -82,7 +82,7 @@ void check_axes(fields::SettingsCheck& check, const BodySettings& body) {
   }
 }
 
-/// Held along some axes only: what cannot do that.
+/// Vertices held along some axes only: refuses features that do not support them.
 void check_partial(fields::SettingsCheck& check, const Scene& scene) {
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     if (std::ranges::none_of(scene.bodies[b].held, is_partial)) continue;
@@ -100,8 +100,8 @@ void check_partial(fields::SettingsCheck& check, const Scene& scene) {
   }
 }
 
-/// The paper's springs push at the centres of balls alone, and everybody in every step; rubble has a
-/// clock of its own.
+/// The paper's springs push at the centres of balls alone, and at all bodies in every step; rubble
+/// has a clock of its own.
 void check_penalty(fields::SettingsCheck& check, const Scene& scene) {
   if (scene.contact.method != ContactMethod::penalty) return;
   if (scene.ladder.rubble != RubbleMode::off) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a scene can come to is estimated once; each key has a rule that reads it.
+// The outlook of a scene is estimated once; each key has a rule that reads it.
 #include "fracture/scene/choose_settings.hpp"
 
 #include <fmt/format.h>
@@ -18,12 +18,12 @@
 namespace sunder {
 namespace {
 
-/// What the rules go by.
+/// The estimates that the rules use.
 struct Outlook {
   Accuracy accuracy = Accuracy::good;
   /// m, the smallest mean cell of the bodies.
   double cell = 0;
-  /// m/s, at which things may meet: speeds of bodies and obstacles, and what a fall adds.
+  /// m/s, at which things may meet: speeds of bodies and obstacles, and the gain in a fall.
   double speed = 0;
   /// Stress rho c v of such a blow over the strength, the largest of all bodies; 0 where nothing
   /// can break.
@@ -35,7 +35,7 @@ struct Outlook {
   /// Of all bodies.
   std::size_t tetrahedra = 0;
 
-  /// The blow breaks what it strikes.
+  /// Whether the blow breaks the struck body.
   bool breaks() const { return blow >= 1; }
 };
 
@@ -111,7 +111,7 @@ struct Rule {
   std::string_view key;
   void (*set)(Scene&, double);
   Chosen (*choose)(const Outlook&);
-  /// What the values 0, 1, ... are called; none: they are numbers.
+  /// Names of the values 0, 1, ...; none: they are numbers.
   std::span<const std::string_view> words = {};
 };
 
@@ -231,13 +231,13 @@ bool is_used(const Scene& scene, std::string_view key) {
          scene.integrator.integrator == Integrator::floating_frame;
 }
 
-/// Whether bodies of second order can have what the scene asks for.
+/// Whether bodies of second order support all features that the scene uses.
 bool takes_second_order(const Scene& scene) {
   return second_order_findings(scene).empty() && scene.fracture.node_stress != NodeStress::fit;
 }
 
-/// Second order for thin bodies that have few layers of cells and are no larger than what can be
-/// paid for (docs/lab/defaults.md has the charts). `measures`: of each body.
+/// Second order for thin bodies that have few layers of cells and are small enough for its cost
+/// (docs/lab/defaults.md has the charts). `measures`: of each body.
 void choose_orders(std::vector<Choice>& choices, Scene& scene, Accuracy accuracy,
                    std::span<const std::string> given, std::span<const BodyMeasures> measures) {
   if (accuracy == Accuracy::preview) return;
@@ -327,7 +327,7 @@ std::vector<Choice> choose_settings(Scene& scene, Accuracy accuracy,
   for (const Rule& rule : rules) {
     if (std::ranges::find(given, rule.key) != given.end() || !is_used(scene, rule.key)) continue;
     Chosen chosen = rule.choose(outlook);
-    // Three digits at most, so that what is told is what is set.
+    // Three digits at most, so that the reported value is the one that is set.
     const std::string value = fmt::format("{:.4g}", chosen.value);
     rule.set(scene, std::strtod(value.c_str(), nullptr));
     const std::string word =

@@ -268,7 +268,7 @@ class Forecast {
     return seconds;
   }
 
-  /// s: the shortest that the blows on the bodies ask for (`Blows::sub_step`).
+  /// s: the shortest sub-step that the blows on the bodies need (`Blows::sub_step`).
   double sub_step() const {
     double step = scene_.integrator.time_step;
     if (!scene_.impact.window || scene_.integrator.integrator != Integrator::floating_frame ||

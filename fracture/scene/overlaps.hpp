@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What lies inside what as a scene starts.
+// Bodies and obstacles that lie inside others as a scene starts.
 #pragma once
 
 #include <cstddef>

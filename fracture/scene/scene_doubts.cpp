@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A list of checks, each of which says what it looks at.
+// A list of checks, each with a comment about its subject.
 #include "fracture/scene/scene_doubts.hpp"
 
 #include <fmt/format.h>
@@ -161,9 +161,9 @@ bool is_led_sideways(const BodySettings& body) {
   return false;
 }
 
-/// Whether something in the scene can bend the body until it breaks: what it may meet, loads, its
-/// spin, its weight or supports that go sideways. A body that is only pulled lengthwise, or that
-/// flies alone, keeps straight.
+/// Whether something in the scene can bend the body until it breaks: bodies or obstacles that it
+/// may meet, loads, its spin, its weight or supports that go sideways. A body that is only pulled
+/// lengthwise, or that flies alone, keeps straight.
 bool can_be_bent(const Looked& l, std::size_t b) {
   const BodySettings& body = l.scene.bodies[b];
   if (!l.scene.obstacles.empty() || l.scene.bodies.size() > 1) return true;
@@ -172,8 +172,9 @@ bool can_be_bent(const Looked& l, std::size_t b) {
          stress_of_weight(l.scene, body, l.measures[b]) > 0.1 * l.measures[b].strength;
 }
 
-/// Bending is less than half of the deflection of what is shorter than 1.7 times its thickness (the
-/// rest is shear: 2.4 (1 + nu) (t / L)^2 of it), and its diagonal than 2.2 times.
+/// Bending is less than half of the deflection of bodies shorter than 1.7 times their thickness
+/// (the rest is shear: 2.4 (1 + nu) (t / L)^2 of it). The diagonal of such a body is shorter
+/// than 2.2 times its thickness.
 constexpr double compact = 2.2;
 
 void look_at_layers(const Looked& l, std::size_t b) {
@@ -200,7 +201,7 @@ void look_at_slenderness(const Looked& l, std::size_t b) {
   const bool is_rigid = l.scene.integrator.model == ElasticModel::rigid_reference;
   if (!is_rigid || l.scene.bodies[b].rigid || l.scene.bodies[b].mesh.tetrahedra.size() < 2) return;
   if (!can_be_bent(l, b)) return;
-  // A strength that no solid has is told as such.
+  // A strength that no solid has is reported as such.
   if (!(strain <= 0.1) || !(share > 0.05)) return;
   const std::string false_strain =
       share < 1 ? fmt::format("a false strain of up to {:.0f} % of it", 100 * share)
@@ -317,7 +318,7 @@ std::vector<SettingFinding> worst_first(const std::vector<SettingFinding>& found
     };
     return std::ranges::find_if(found, is_same) - found.begin();
   };
-  // What differs by rounding alone stays in order.
+  // Findings that differ by rounding alone stay in order.
   std::vector<std::tuple<std::ptrdiff_t, float, std::size_t>> order;
   for (std::size_t i = 0; i < found.size(); ++i) {
     order.emplace_back(code_row(i), -static_cast<float>(badness[i]), i);

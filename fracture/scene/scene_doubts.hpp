@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is odd in a scene that has no error: most likely another unit, place or mesh than was meant.
+// Doubts about a scene without errors: most likely another unit, place or mesh than was meant.
 #pragma once
 
 #include <vector>

@@ -51,7 +51,7 @@ std::uint64_t budget_steps(const Scene& scene) {
   return std::max<std::uint64_t>(1, whole_number<std::uint64_t>(steps));
 }
 
-/// The settings with what is left of the budget at hand.
+/// The settings with the budget that is left.
 FractureSettings with_budget_left(const Scene& scene, const SimulationState& s) {
   FractureSettings settings = scene.fracture;
   if (settings.mode != FractureMode::budget) return settings;
@@ -101,7 +101,7 @@ bool is_same(const Pose& a, const Pose& b) {
   return a.centre == b.centre && a.orientation.coeffs() == b.orientation.coeffs();
 }
 
-/// Section 3.3: what is drawn follows the frames smoothly.
+/// Section 3.3: drawn poses follow the frames smoothly.
 void update_display(SimulationState& s, const Scene& scene) {
   for (const Component& c : s.mechanics.components) {
     const Pose target{c.centre, c.orientation};
@@ -183,8 +183,8 @@ ContactStepResult move(StepWork& step, const PlannedPart& part) {
   return taken;
 }
 
-/// What follows from pieces that are new: their energy, rows like their ancestors' in the step, and
-/// that those declared never to break are rigid.
+/// Updates for new pieces: their energy, and rows copied from their ancestors in the step. Pieces
+/// declared never to break become rigid.
 void note_pieces(StepWork& step, const RebuildReport& rebuilt) {
   const auto& labels = step.state().cells.labels;
   step.report.energy_released += rebuilt.energy_released;
@@ -244,7 +244,7 @@ void note_plan(StepReport& report, const StepPlan& plan) {
   if (plan.phase == StepPlan::Phase::equal) report.status.solve.sub_steps = plan.parts;
 }
 
-/// Activity levels of the next step, ledgers, and section 3.3: what is drawn.
+/// Activity levels of the next step, ledgers, and drawn poses (section 3.3).
 StepReport finish_step(StepWork& step) {
   SimulationState& s = step.state();
   StepReport& report = step.report;

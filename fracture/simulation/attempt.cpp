@@ -9,8 +9,8 @@
 namespace sunder {
 namespace {
 
-/// A first overstress of a tenth: what comes over its strength together with the first by so much
-/// is not yet decided by chance.
+/// A first overstress of a tenth: which of the vertices within so much of the first one breaks
+/// first is not yet decided by chance.
 constexpr double most_overstress = 1.1;
 
 bool can_break(const Scene& scene, const PlannedPart& part) {
@@ -39,7 +39,7 @@ bool take_back(const Attempt& attempt, StepReport& report, SimulationState& s,
   struck.insert(struck.end(), over.begin(), over.end());
   sort_unique(struck);
   Blows blows = struck_by_cracks(std::move(struck), s.mechanics);
-  if (blows.struck.empty()) return false;  // what is rigid has no window that could open
+  if (blows.struck.empty()) return false;  // rigid components have no window that could open
   s.mechanics.vertices = attempt.vertices;
   s.mechanics.components = attempt.components;
   s.mechanics.elements.stress = attempt.stress;

@@ -9,7 +9,7 @@
 
 namespace sunder {
 
-/// What a part changes, as it was before.
+/// The state that a part changes, as it was before.
 struct Attempt {
   VertexColumns vertices;
   std::vector<Component> components;
@@ -26,10 +26,11 @@ struct Attempt {
 std::optional<Attempt> begin_attempt(const Scene& scene, const PlannedPart& part,
                                      const SimulationState& state, const StepReport& report);
 
-/// Whether the part let a tie open by more than a hundredth of what ends it, or overloaded a vertex
-/// by more than a tenth, in a component that is not rigid. If so all is put back, and `taken` is a
-/// part that was not adopted, with the components concerned as struck at its start: their windows
-/// open, and cracks grow in sub-steps that resolve their waves, whatever the scene's step.
+/// Whether the part opened a tie by more than a hundredth of its final opening, or overloaded a
+/// vertex by more than a tenth. Rigid components do not count. If so, the state before the part is
+/// put back, and `taken` is a part that was not adopted. The components concerned count as struck
+/// at its start. Their windows open, and cracks grow in sub-steps that resolve their waves, for any
+/// step of the scene.
 bool take_back(const Attempt& attempt, StepReport& report, SimulationState& state,
                const PartInput& input, FractureScratch& scratch, ContactStepResult& taken);
 

@@ -63,9 +63,9 @@ Role& role_of(Boundary& boundary, const Body& body) {
   return body.component ? boundary.component[body.row] : boundary.ball[body.row];
 }
 
-/// Whether two bodies are nearer than `reach` by their balls, and, where one is much larger, by its
-/// vertices against the other's ball: what touches a tetrahedron is no farther from its vertices
-/// than its longest edge.
+/// Whether two bodies are nearer than `reach` by their balls. If one is much larger, its vertices
+/// are tested against the other's ball. A body that touches a tetrahedron is no farther from its
+/// vertices than its longest edge.
 bool is_near(const SimulationState& s, const Body& a, const Body& b, double reach) {
   if ((a.center - b.center).norm() > a.radius + b.radius + reach) return false;
   const Body& large = a.radius >= b.radius ? a : b;
@@ -77,8 +77,8 @@ bool is_near(const SimulationState& s, const Body& a, const Body& b, double reac
   });
 }
 
-/// Calls `visit(body)` for all others near one of `from`, each once; where it says so they count
-/// among `from` themselves.
+/// Calls `visit(body)` once for each of `others` near one of `from`. If it returns true, the body
+/// counts among `from` too.
 template <class Visit>
 void visit_near(const SimulationState& s, std::vector<Body> from, std::vector<Body> others,
                 double reach, Visit visit) {
@@ -95,7 +95,7 @@ void visit_near(const SimulationState& s, std::vector<Body> from, std::vector<Bo
   }
 }
 
-/// Free balls that could meet what is open through others are members like it.
+/// Free balls that could meet open components through other bodies become members too.
 void take_balls(Boundary& boundary, const SimulationState& s, std::span<const Body> bodies,
                 double reach) {
   if (std::ranges::none_of(s.obstacles, [](const Obstacle& o) { return o.mass.has_value(); })) {
@@ -111,7 +111,7 @@ void take_balls(Boundary& boundary, const SimulationState& s, std::span<const Bo
   });
 }
 
-/// Gives a role to what lies within reach of members.
+/// Gives a role to the bodies within reach of members.
 void surround(Boundary& boundary, const SimulationState& s, std::span<const Body> bodies,
               double reach, Role role) {
   std::vector<Body> members, others;
@@ -151,7 +151,7 @@ void write_rows(MechanicsState& state, const Component& c, bool with_rates) {
   }
 }
 
-/// Moves a body that has taken its step back by `time`, at the velocity that it ended with.
+/// Moves a body that has taken its step back by `time`, at its end velocity.
 void carry_back(Boundary& boundary, MechanicsState& state, std::size_t row, const Vec3& gravity,
                 double time) {
   Component& c = state.components[row];
@@ -199,7 +199,7 @@ void assign_roles(Boundary& boundary, const SimulationState& s, std::span<const 
   boundary.component.assign(s.mechanics.components.size(), Role::other);
   boundary.ball.assign(s.obstacles.size(), Role::other);
   for (ComponentId id : open) boundary.component[id.index()] = Role::member;
-  // A rigid body that is carried is free or goes at one velocity; what slides along an axis, or is
+  // A carried rigid body is free or moves at one velocity. A body that slides along an axis, or is
   // led at a velocity that is raised, does neither.
   for (const Component& c : s.mechanics.components) {
     if (!open.empty() && (c.partly_held || is_raised(s.mechanics, c))) boundary.component[c.id.index()] = Role::member;

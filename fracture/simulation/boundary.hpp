@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Who is sub-stepped through impact windows, and who stands round them as whole bodies.
+// Which bodies are sub-stepped through impact windows, and which ones round them are carried.
 #pragma once
 
 #include <span>
@@ -11,43 +11,43 @@
 
 namespace sunder {
 
-/// What a step with impact windows does with a component or ball.
+/// The treatment of a component or ball in a step with impact windows.
 enum class Role : char {
-  other,    ///< takes the whole step and meets nothing that is sub-stepped
-  member,   ///< is sub-stepped: open, or within reach of what is open
-  carried,  ///< takes the whole step, then goes its way again as a rigid body of full mass
+  other,    ///< takes the whole step and meets no sub-stepped body
+  member,   ///< is sub-stepped: open, or within reach of an open component
+  carried,  ///< takes the whole step, then repeats its motion as a rigid body of full mass
 };
 
-/// The roles of a step, and what carried bodies must get back as it ends.
+/// The roles of a step, and the values that carried bodies get back as it ends.
 ///
-/// A carried body has taken the step: it is moved back in time from there, rigidly, at the velocity
-/// that it ended with, and goes that way again in the sub-steps of the members, without weight and
-/// loads, which it has had. Contact impulses act on its frame with full mass and inertia, so that
-/// momentum and angular momentum balance like those of any two bodies. What none has touched ends
-/// with the very bytes of its whole step.
+/// A carried body has already taken the whole step. It is moved back to the start rigidly, at its
+/// end velocity, and repeats that motion in the sub-steps of the members. Gravity and loads do not
+/// act again. Contact impulses act on its frame with full mass and inertia, so that momentum and
+/// angular momentum balance like those of any two bodies. A carried body that nothing touches ends
+/// with exactly the values of its whole step.
 struct Boundary {
   std::vector<Role> component, ball;  ///< rows = ComponentId, obstacles
   std::vector<char> pushed;           ///< row = ComponentId: a carried body got an impulse
-  std::vector<char> spread;           ///< row = ComponentId: and what it may meet is carried too
+  std::vector<char> spread;           ///< row = ComponentId: its neighbours are carried too
   /// As the whole step ended: rungs, frames and rows of all.
   std::vector<Rung> rung;
   std::vector<Component> frame;
   std::vector<Vec3> position, velocity;
-  /// Of gravity on ways that bodies were moved outside of any part, J, and what it took back of
-  /// their momentum: for the ledgers.
+  /// Work of gravity, J, for motions of bodies outside of any part, and the momentum that gravity
+  /// took back from them: for the ledgers.
   double gravity_work = 0;
   Impulse gravity_impulse = Impulse::Zero();
 };
 
-/// How near two things have to be that could meet in a step of length `h`, one through the other:
-/// m. Twice the farthest way of anything is what two bodies do at the present speeds, and an impact
-/// can double a speed.
+/// Distance (m) within which two bodies can meet in a step of length `h`, possibly through a third.
+/// It is 4 h (v + h g), v the largest speed. One factor of two is for both bodies moving, the other
+/// because an impact can double a speed.
 double reach_of_step(const SimulationState& state, const Vec3& gravity, double h);
 
-/// Who does what in a step in which the windows of `open` are open and things meet within `reach`
-/// (m): members are what is open, free balls that could meet it through others, and what lies
-/// within reach of those; carried is what lies within reach of members. Who is on the clock of the
-/// rubble (`RubbleState::apart`) has no part.
+/// Assigns the roles of a step in which the windows of `open` are open and bodies meet within
+/// `reach` (m). Members are the open components, free balls that could meet them through other
+/// bodies, and bodies within reach of these. Bodies within reach of members are carried. Components
+/// on the clock of the rubble (`RubbleState::apart`) have no part.
 void assign_roles(Boundary& boundary, const SimulationState& state,
                   std::span<const ComponentId> open, double reach);
 
@@ -55,12 +55,13 @@ void assign_roles(Boundary& boundary, const SimulationState& state,
 /// step taken by all but the members.
 void begin_boundary(Boundary& boundary, SimulationState& state, const Vec3& gravity, double time);
 
-/// Notes who among the carried was touched by `contacts`.
+/// Notes which carried components `contacts` touched.
 void note_pushed(Boundary& boundary, const MechanicsState& state,
                  std::span<const ContactPoint> contacts);
 
-/// Carries also what lies within `reach` of carried bodies that would end farther than `tolerance`
-/// (m) from where their whole step took them, with `left` s to go: nothing passes through them.
+/// Makes bodies near strayed carried bodies carried too, so that nothing passes through them. A
+/// carried body has strayed if, `left` s before the end, it would end farther than `tolerance` (m)
+/// from its end in the whole step. Near is within `reach`.
 void spread_boundary(Boundary& boundary, SimulationState& state, const Vec3& gravity, double left,
                      double reach, double tolerance);
 

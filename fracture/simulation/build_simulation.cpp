@@ -39,7 +39,7 @@ std::vector<Finding> check_input(const Scene& scene) {
   return findings;
 }
 
-/// The bodies' meshes one after the other, and which rows are whose.
+/// The bodies' meshes one after the other, and the rows of each body.
 TetMesh join_meshes(const std::vector<BodySettings>& bodies, std::vector<BodyRows>& rows) {
   TetMesh all;
   for (const BodySettings& body : bodies) {

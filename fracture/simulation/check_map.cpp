@@ -11,8 +11,8 @@
 namespace sunder {
 namespace {
 
-/// The first tetrahedron whose label says something else than a walk about which others it hangs
-/// together with.
+/// The first tetrahedron with a label that disagrees with a walk about the tetrahedra connected to
+/// it.
 std::optional<std::size_t> first_wrong_label(const Components& labels, const Components& walked) {
   std::vector<ComponentId> label_of(walked.size.size()), walked_of(labels.size.size());
   for (std::size_t t = 0; t < labels.of_tetrahedron.size(); ++t) {

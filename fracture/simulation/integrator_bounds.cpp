@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What bodies ask of integrators that are bounded.
+// Demands of bodies on integrators that are bounded.
 #include "fracture/simulation/integrator_bounds.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What bodies ask of integrators that are bounded: steps, counts and sizes.
+// Demands of bodies on integrators that are bounded: steps, counts and sizes.
 #pragma once
 
 #include <vector>
@@ -14,9 +14,9 @@ namespace sunder {
 double least_step_bound(MechanicsScratch& scratch, const MechanicsState& state,
                         const RayleighDamping& damping);
 
-/// What the bodies as they are ask of a bounded integrator beyond its bounds: a warning for verlet
-/// above its step and for contact by penalty above that of a vertex on one spring, errors for
-/// sub_stepped above its count and modal above its size. Splits only make bodies smaller.
+/// Demands of the present bodies beyond the bounds of an integrator. Warnings: verlet above its
+/// step, and contact by penalty above that of a vertex on one spring. Errors: sub_stepped above its
+/// count, and modal above its size. Splits only make bodies smaller.
 std::vector<Finding> check_integrator_bounds(const Scene& scene, const MechanicsState& state,
                                              MechanicsScratch& scratch);
 

@@ -22,7 +22,8 @@ namespace {
 /// swings once about where it would have been.
 constexpr double safe_part = 0.5;
 
-/// Pa. What cannot break is seen to move all the same: it counts as breaking at a strain of 1e-4.
+/// Pa. The motion of unbreakable components is visible too: they count as breaking at a strain of
+/// 1e-4.
 double lowest_strength(const SimulationState& s, const Component& component) {
   double lowest = 1e-4 * material_of(s.mechanics, component.tetrahedra.front()).young_modulus;
   for (VertexId v : component.vertices) lowest = std::min(lowest, s.cells.strength[v.index()]);
@@ -67,8 +68,8 @@ double stop_deforming(MechanicsState& state, const Component& component) {
 
 namespace {
 
-/// Largest speed of a vertex in its component's frame over the critical speed xi / (rho c), whose
-/// wave would break it. An acceleration counts as the speed that it stands for in the slowest mode.
+/// Largest speed of a vertex in its component's frame over the critical speed xi / (rho c), at
+/// which a wave would break it. An acceleration counts as its equivalent speed in the slowest mode.
 double swing(const MechanicsState& state, const Component& component, double strength) {
   const Material& material = material_of(state, component.tetrahedra.front());
   const double period = extent_travel(state, component) / 3;
@@ -88,8 +89,8 @@ bool is_left_alone(const SimulationState& s, const std::vector<char>& touched,
          s.impact.quiet[component.id.index()] == ImpactWindow::closed;
 }
 
-/// Whether the component may go rigid or stay so. What it would give up must be nothing: outcomes
-/// of many blows are chaotic, and a millionth of the critical speed was seen in them late.
+/// Whether the component may go rigid or stay so. The motion it gives up must be negligible:
+/// outcomes of many blows are chaotic, and a millionth of the critical speed was seen in them late.
 bool flies_safely(const SimulationState& s, const Component& component) {
   constexpr double nothing = 1e-7;
   if (component.supported || component.rigid) return false;
@@ -98,8 +99,8 @@ bool flies_safely(const SimulationState& s, const Component& component) {
          flight_stress_bound(s.mechanics, component) < safe_part * strength;
 }
 
-/// Whether three held vertices lie off one line, or single axes held do as much: else the component turns about them freely, and K
-/// alone has no factor.
+/// Whether three held vertices lie off one line, or single axes held do as much. Else the component
+/// turns about them freely, and K alone has no factor.
 bool is_held_fast(const MechanicsState& state, const Component& component) {
   if (component.partly_held) return is_fixed_by_axes(state, component);
   constexpr double off_line = 1e-3;
@@ -134,7 +135,7 @@ double fastest_vertex(const MechanicsState& state, const Component& component) {
   return std::sqrt(squared);
 }
 
-/// Whether what acts from outside is constant from now on.
+/// Whether the loads from outside are constant in the future.
 bool loads_are_steady(const Scene& scene, const SimulationState& s) {
   const double now = s.mechanics.time;
   return now >= scene.gravity.ramp_time &&
@@ -148,7 +149,8 @@ bool is_carried(const MechanicsState& state, const Component& component) {
          });
 }
 
-/// Takes rest from everything that touches what is awake.
+/// Takes rest from all components that are in contact with awake bodies, directly or through
+/// others.
 void keep_awake_with_neighbours(LadderScratch& ladder, const SimulationState& s) {
   using Sides = std::array<std::size_t, 2>;
   constexpr std::size_t outside = std::numeric_limits<std::size_t>::max();
@@ -183,7 +185,7 @@ void keep_awake_with_neighbours(LadderScratch& ladder, const SimulationState& s)
 /// Marks components that may sleep from now on.
 void find_rested(LadderScratch& ladder, SimulationState& s, const Scene& scene) {
   const LadderSettings& settings = scene.ladder;
-  // What lies still may creep by the depth that contact leaves alone, in the time it takes.
+  // A component at rest may creep by the depth that contact tolerates, within `sleep_after`.
   const double still_speed = scene.contact.allowed_penetration / settings.sleep_after;
   const bool steady = loads_are_steady(scene, s);
   std::vector<char>& rested = ladder.rested;

@@ -14,15 +14,15 @@
 namespace sunder {
 
 /// Bound on the largest principal node stress (Pa) that a free component can come to while nothing
-/// touches it, from what is in it now:
+/// touches it, from its present energy and motion:
 ///   sqrt(2 M (U + T_d) / V) + 2 rho s^2
-/// U its strain energy, T_d the kinetic energy of its deformation, V the volume of its smallest
-/// star, s the largest speed of a vertex against the mass centre, M = lambda + 2 mu = rho c_p^2.
-/// First term: a volume V under the mean stress of largest eigenvalue sigma holds at least
-/// V sigma^2 / (2 M) (uniaxial strain; for nu = 0 that is E), and it cannot hold more than there
-/// is. Second: centrifugal forces stress a rod with rho s^2 / 2 at most and a disc
-/// with 0.41 rho s^2; the factor leaves four times that for notches
-/// (`tests/fracture/simulation/ladder_test.cpp` holds it against the equilibria of spinning
+/// U is its strain energy, T_d the kinetic energy of its deformation, V the volume of its smallest
+/// star. s is the largest speed of a vertex against the mass centre, M = lambda + 2 mu = rho c_p^2.
+/// First term: a volume V under the mean stress of largest eigenvalue sigma holds at least V
+/// sigma^2 / (2 M). This is for uniaxial strain; for nu = 0, M is E. The volume cannot hold more
+/// than the present energy. Second: centrifugal forces stress a rod with rho s^2 / 2 at most and a
+/// disc with 0.41 rho s^2. The factor leaves four times that for notches
+/// (`tests/fracture/simulation/ladder_test.cpp` compares it with the equilibria of spinning
 /// bodies). O(rows of the component).
 double flight_stress_bound(const MechanicsState& state, const Component& component);
 
@@ -38,35 +38,36 @@ double stop_deforming(MechanicsState& state, const Component& component);
 void note_touches(std::vector<char>& touched, const MechanicsState& state,
                   std::span<const ContactPoint> contacts);
 
-/// What components give up that take a lower rung.
+/// Energy and momentum given up by components that take a lower rung.
 struct GivenUp {
   double energy = 0;                   ///< J
-  Impulse momentum = Impulse::Zero();  ///< of what falls asleep
+  Impulse momentum = Impulse::Zero();  ///< of components that fall asleep
 };
 
-/// What the choice of rungs asks beside the state.
+/// Inputs to the choice of rungs, in addition to the state.
 struct RungInput {
   const Scene& scene;
   const std::vector<char>& touched;  ///< row = ComponentId: a contact pushed at it in this step
 };
 
-/// Whether every piece sleeps and no obstacle moves or could: nothing will happen by itself.
+/// Whether every piece sleeps and no obstacle moves or could: nothing can happen any more.
 bool all_rest(const SimulationState& state);
 
 /// Chooses the rungs of the next step, after everything else in this one:
-/// - `rigid`: free, not touched in this step, in no impact window, without surface loads, and
-///   `flight_stress_bound` below half of the lowest strength of its vertices, no vertex swinging at
-///   more than 1e-7 of the critical speed. Its rates of deformation are given up and counted. It
-///   stays while the bound holds and nothing overlaps it.
+/// - `rigid`: free, not touched in this step, in no impact window and without surface loads.
+///   `flight_stress_bound` is below half of the lowest strength of its vertices, and no vertex
+///   swings at more than 1e-7 of the critical speed. Its rates of deformation are given up and
+///   counted. It stays while the bound holds and nothing overlaps it.
 /// - `quasi_static`: supported by three vertices off one line, without cohesive bonds, not touched
-///   in this step, in no impact window, and no free vertex moving in its frame at more than a
-///   thousandth of the critical speed xi / (rho c): inertia could not add more than that part of
-///   the strength. It stays while that holds.
-/// - `asleep`: no vertex of it and of all that it touches has been faster than the step allows to
-///   be called rest for `sleep_after`, with gravity and loads fully raised. Touched by what is
-///   awake, or overlapped on the way of anything, it wakes (mechanics/contact/contact.cpp).
+///   in this step and in no impact window. No free vertex moves in its frame at more than a
+///   thousandth of the critical speed xi / (rho c). So inertia could not add more than that share
+///   of the strength. It stays while that holds.
+/// - `asleep`: for `sleep_after`, it and all bodies that it touches had no vertex faster than the
+///   rest speed of the step. Gravity and loads are fully raised. It wakes when an awake body
+///   touches it, or any moving body overlaps it (mechanics/contact/contact.cpp).
 /// - `full`: all others, and everything under other integrators than floating_frame.
-/// Gives how many are on which; what they give up is added to `given_up`.
+/// Gives the number of components on each rung; `given_up` increases by the energy and momentum
+/// given up.
 LadderReport choose_rungs(GivenUp& given_up, SimulationState& state, const RungInput& input,
                           LadderScratch& scratch);
 

@@ -31,7 +31,7 @@ void update_forces(Loads& loads, const SimulationState& s, double time) {
   }
 }
 
-/// Supports whose velocity is raised go on at its mean over the part.
+/// Supports with a raised velocity go on at its mean over the part.
 void raise_supports(StepReport& report, MechanicsState& m, const PartInput& part,
                     std::optional<HeldRegions>& regions) {
   const auto is_raised = [](const PrescribedMotion& motion) { return !motion.raised.empty(); };

@@ -15,11 +15,11 @@ namespace sunder {
 struct PlannedPart {
   StepPart part;
   double length = 0;   ///< s
-  bool moves = true;   ///< false: nobody is there to be moved
+  bool moves = true;   ///< false: it has no member that could move
   bool breaks = true;  ///< whether fractures are looked for at its end
 };
 
-/// What a part is given beside the state.
+/// Inputs to a part, in addition to the state.
 struct PartInput {
   const Scene& scene;
   std::span<const BodyRows> bodies;
@@ -32,10 +32,10 @@ struct PartInput {
   const std::function<bool()>* ends = nullptr;  ///< `StepInput::ends`
 };
 
-/// Takes one part of a step for its members: surface loads at its end, contact, mechanics. What it
-/// did with energy and impulses of loads is added to `report.energy`, `report.momentum`,
-/// `report.forces` and `report.cracks`; all else is returned. Where there are blows ahead
-/// that the part must not run into, nothing is done (`ContactStepResult::adopted`).
+/// Takes one part of a step for its members: surface loads at its end, contact, mechanics. Its
+/// energies and the impulses of loads are added to `report.energy`, `report.momentum`,
+/// `report.forces` and `report.cracks`; the rest is returned. Where there are blows ahead that the
+/// part must not run into, nothing is done (`ContactStepResult::adopted`).
 ContactStepResult take_part(StepReport& report, SimulationState& state, const PartInput& input,
                             SimulationScratch& scratch);
 

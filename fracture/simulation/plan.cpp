@@ -36,9 +36,9 @@ bool is_open(const ImpactWindow& window, std::size_t component) {
   return window.quiet[component] != ImpactWindow::closed;
 }
 
-/// Opens windows for what is struck. The first one decides the sub-step: the step over a power of
-/// two, so that runs whose steps differ by such a power take the same sub-steps; ties may ask for a
-/// shorter one later. In the midst of the members' step what is left of it is counted anew.
+/// Opens windows for struck components. The first one decides the sub-step: the step over a power
+/// of two. So runs with steps that differ by such a power take the same sub-steps. Ties may demand
+/// a shorter one later. During the members' step, the number of sub-steps left is counted again.
 void open(StepPlan& plan, ImpactWindow& window, const Blows& blows, const Scene& scene) {
   const double time_step = scene.integrator.time_step;
   const bool refines = scene.fracture.crack == CrackMode::cohesive;
@@ -103,9 +103,9 @@ void begin_others(StepPlan& plan, const SimulationState& s) {
   plan.obstacles = s.obstacles;
 }
 
-/// The others have taken the step; now the members take it. Steps that are no longer than a window
-/// lasts at least are sub-stepped whole: to freeze what moves for a part of them would cost more
-/// accuracy than it saves.
+/// The others have taken the step; now the members take it. Steps that are no longer than the
+/// minimal length of a window are sub-stepped whole. To freeze moving components for a part of them
+/// would cost more accuracy than it saves.
 void begin_members(StepPlan& plan, const Scene& scene, SimulationState& s) {
   put_back_obstacles(plan, s.obstacles);
   begin_boundary(plan.boundary, s, plan.gravity, scene.integrator.time_step);
@@ -160,14 +160,14 @@ PlannedPart next_of_members(StepPlan& plan, const Scene& scene, SimulationState&
     return {wave, wave.sub_steps * sub_step};
   }
   unstiffen_members(s);
-  // What is left at once, or the way to the next blow.
+  // The rest of the step at once, or the way to the next blow.
   const ImpactSettings* impact = at_once ? nullptr : &scene.impact;
   return {
       {Deformation::catch_up, scene.integrator.time_step, impact, plan.strength, plan.threshold},
       static_cast<double>(plan.left) * sub_step};
 }
 
-/// The step in twice as many parts, those that are left.
+/// Divides the remaining parts of the step in two.
 void divide(StepPlan& plan) {
   if (plan.phase == StepPlan::Phase::whole) plan.taken = 0;
   plan.phase = StepPlan::Phase::equal;
@@ -245,7 +245,7 @@ void note_members(StepPlan& plan, const PlannedPart& part, const ContactStepResu
   }
 }
 
-/// Where the members' step ends everybody meets again.
+/// Ends the members' step: all bodies are at the same time again.
 void finish_members(StepPlan& plan, const Scene& scene, SimulationState& s) {
   unstiffen_members(s);
   end_boundary(plan.boundary, s);
@@ -294,7 +294,7 @@ std::optional<PlannedPart> next_part(StepPlan& plan, const Scene& scene, Simulat
   if (has_windows(scene) && goes_on && !plan.knows_strengths && anybody_moves(plan, s)) {
     note_strengths(plan, scene, s);
   }
-  // Explicit parts cannot be longer; everybody is at the same time, so the step may end here.
+  // Explicit parts cannot be longer; all bodies are at the same time, so the step may end here.
   if (plan.hurried && plan.phase == Phase::equal) return std::nullopt;
   const StepPart whole{Deformation::whole, 0, has_windows(scene) ? &scene.impact : nullptr,
                        plan.strength, plan.threshold};
@@ -350,7 +350,7 @@ void note_part(StepPlan& plan, const PlannedPart& part, const ContactStepResult&
   }
   if (result.adopted) {
     if (plan.phase == Phase::whole && !part.moves) {
-      // Nobody was there to take them along.
+      // No part has moved them.
       move_obstacles(scene, s.obstacles);
       s.mechanics.time = plan.start + scene.integrator.time_step;
     }

@@ -20,16 +20,16 @@ StepPlan plan_step(const Scene& scene, SimulationState& state, SimulationScratch
 /// part begins; windows close where the limit on sub-steps is reached.
 std::optional<PlannedPart> next_part(StepPlan& plan, const Scene& scene, SimulationState& state);
 
-/// Tells the plan what became of the part that it gave last: windows open, stay or close.
+/// Reports the result of its last part to the plan: windows open, stay or close.
 void note_part(StepPlan& plan, const PlannedPart& part, const ContactStepResult& result,
                const Scene& scene, SimulationState& state);
 
-/// Components in which cracks run, ascending, none twice, as what a blow has struck.
+/// Components in which cracks run, ascending, none twice, as components struck by a blow.
 Blows struck_by_cracks(std::vector<ComponentId> components, const MechanicsState& mechanics);
 
-/// Opens windows for what fans have just cracked, after `rebuild_pieces` (`CrackMode::object`): a
-/// crack runs on with the waves, and a step whose load grows meanwhile would break what the crack
-/// relieves.
+/// Opens windows for components that fans have just cracked, after `rebuild_pieces`
+/// (`CrackMode::object`). A crack runs on with the waves. A step with a load that grows meanwhile
+/// would break vertices that the crack relieves.
 void note_fans(StepPlan& plan, const Scene& scene, SimulationState& s,
                std::span<const FanEvent> fans);
 

@@ -18,13 +18,13 @@
 namespace sunder {
 namespace {
 
-/// Takes out of the members who is on the clock of the rubble.
+/// Removes components on the clock of the rubble from the members.
 void leave_out(std::vector<char>& members, const std::vector<char>& apart) {
   SUNDER_ASSERT(apart.empty() || apart.size() == members.size(), "a row for everybody");
   for (std::size_t k = 0; k < apart.size(); ++k) members[k] = members[k] && !apart[k];
 }
 
-/// Everybody whose role `fits` becomes a member of the part to come.
+/// All components and balls with a role that `fits` become members of the next part.
 template <class Fits>
 void take_those(StepPlan& plan, const SimulationState& s, Fits fits) {
   plan.components.clear();
@@ -180,7 +180,7 @@ void note_strengths(StepPlan& plan, const Scene& scene, const SimulationState& s
   for (std::size_t k = 0; k < plan.declared.size(); ++k) {
     if (plan.declared[k]) plan.threshold[k] = std::numeric_limits<double>::infinity();
   }
-  // What loads can do to it is not bounded.
+  // Loads can add energy without a bound.
   for (const CornerLoad& load : s.loads) {
     const TetId t = tetrahedron_of(load.corner);
     plan.threshold[s.mechanics.elements.component[t.index()].index()] = 0;

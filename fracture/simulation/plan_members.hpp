@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Who takes the part of a step that comes next.
+// The members of the next part of a step.
 #pragma once
 
 #include "fracture/simulation/step_plan.hpp"
@@ -9,11 +9,11 @@ namespace sunder {
 /// The components whose windows are open, ascending.
 std::vector<ComponentId> open_windows(const ImpactWindow& window);
 
-/// Makes members of those with open windows and of what they touch, and rigid bodies of what is
-/// round those.
+/// Makes members of components with open windows and of bodies that they touch, and rigid bodies of
+/// the bodies round those.
 void gather_members(StepPlan& plan, const SimulationState& state, double time_step);
 
-/// Everybody but the rubble takes the part.
+/// All bodies except the rubble take the part.
 void begin_without_rubble(StepPlan& plan, const SimulationState& state);
 
 /// Whether a member of the part to come could move.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a host asks of a simulation.
+// Queries of a host about a simulation.
 #include "fracture/simulation/simulation_state.hpp"
 
 namespace sunder {

@@ -9,12 +9,13 @@
 namespace sunder {
 namespace {
 
-/// Components that fans divided, and what came off them, ascending.
+/// Components that fans divided, and pieces that came off them, ascending.
 std::vector<ComponentId> touched_components(const Components& labels,
                                             std::span<const FanEvent> fans, std::size_t before) {
   std::vector<ComponentId> touched;
   for (const FanEvent& fan : fans) {
-    // Every row a fan split belongs to a component whose masses, at least, must be made anew.
+    // Every row a fan split belongs to a component of which the masses, at least, must be computed
+    // again.
     for (const FaceSplit& split : fan.faces) {
       touched.push_back(labels.of_tetrahedron[tetrahedron_of(split.face).index()]);
       touched.push_back(labels.of_tetrahedron[tetrahedron_of(split.opposite).index()]);
@@ -43,9 +44,9 @@ RebuildReport rebuild_touched(SimulationState& s, std::span<const ComponentId> t
 
   s.display.resize(s.cells.labels.size.size());
   s.display_target.resize(s.display.size());
-  // Drawn where they were, taken along to this moment; what their own references jump from there is
-  // left to be smoothed. Fresh ids first: their display state comes from the parent's, which changes
-  // last.
+  // New pieces are drawn where they were, moved along to this moment; the jump of their own
+  // references is smoothed later. New ids first: their display state comes from the parent's, which
+  // changes last.
   for (auto id = touched.rbegin(); id != touched.rend(); ++id) {
     const std::size_t old = ancestor(s.cells.labels, *id, before).index();
     const Component& c = s.mechanics.components[id->index()];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What follows from fans: masses, frames and display of the pieces.
+// Consequences of fans: masses, frames and display of the pieces.
 #pragma once
 
 #include <span>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a researcher reads of a simulation, and faces split in it.
+// Rows of a simulation for researchers, and faces split in it.
 #include "fracture/simulation/rows.hpp"
 
 #include <fmt/format.h>

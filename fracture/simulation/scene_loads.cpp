@@ -11,7 +11,7 @@ bool contains(const LoadBox& box, const Vec3& p) {
   return (p.array() >= box.minimum.array()).all() && (p.array() <= box.maximum.array()).all();
 }
 
-/// Pressure on every boundary face whose three vertices lie in the box; how many there are.
+/// Pressure on every boundary face with all three vertices in the box; gives their number.
 std::size_t add_pressure(Simulation& sim, const BodyRows& rows, const LoadBox& box) {
   const MechanicsState& m = sim.state->mechanics;
   const VolumeMap& map = sim.state->cells.map;

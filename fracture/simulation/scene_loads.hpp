@@ -7,8 +7,8 @@
 namespace sunder {
 
 /// Makes `sim.state->loads` of every `loads` entry of every body. Needs: map, columns and
-/// components at rest, nothing split, settings without errors. Error nothing_loaded: a pressure
-/// whose box holds no boundary face whole.
+/// components at rest, nothing split, settings without errors. Error nothing_loaded: the box of a
+/// pressure holds no whole boundary face.
 std::vector<Finding> make_scene_loads(Simulation& sim);
 
 }  // namespace sunder

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The inside of a simulation, for those who look at its rows and for observers of its parts.
+// The inside of a simulation, for readers of its rows and for observers of its parts.
 #pragma once
 
 #include "fracture/simulation/simulation.hpp"

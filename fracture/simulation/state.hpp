@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What evolves in a simulation, and the scratch of its steps.
+// The state of a simulation, and the scratch of its steps.
 #pragma once
 
 #include <array>
@@ -32,13 +32,13 @@ struct ImpactWindow {
   double sub_step = 0;
 };
 
-/// What decides on which rung components take their steps, beside their rows.
+/// The values that decide the rungs of components, in addition to their rows.
 struct LadderState {
   std::vector<double> still;  ///< row = ComponentId: s for which it has lain still
   RubbleState rubble;
 };
 
-/// What evolves: all that `save` keeps beside the scene.
+/// The evolving state: all values that `save` keeps besides the scene.
 struct SimulationState {
   Cells cells;
   MechanicsState mechanics;
@@ -50,7 +50,7 @@ struct SimulationState {
   /// Row = ComponentId: where each component is drawn (section 3.3), and the target it was given in
   /// the last step.
   std::vector<Pose> display, display_target;
-  std::vector<OpenCrack> cracks;  ///< whose energy is still being measured
+  std::vector<OpenCrack> cracks;  ///< with an energy that is still being measured
   std::uint64_t fans = 0;         ///< so far
   /// Fans and pieces there were when the `budget_time` at hand began.
   std::uint64_t fans_before = 0, pieces_before = 0;
@@ -72,7 +72,7 @@ struct PartStart {
   std::vector<double> work;  ///< of a product with K
 };
 
-/// What the choice of rungs looks at, rows = ComponentId.
+/// Input of the choice of rungs, rows = ComponentId.
 struct LadderScratch {
   std::vector<char> rested, loaded, tied;
   std::vector<std::array<std::size_t, 2>> touching;
@@ -87,8 +87,8 @@ struct RubbleTickScratch {
   std::vector<double> body_mass;  ///< kg, row = body
 };
 
-/// Working memory of a step, and what follows from the state to the bit; can be thrown away between
-/// any two steps.
+/// Working memory of a step, and values that follow exactly from the state. It can be thrown away
+/// between any two steps.
 struct SimulationScratch {
   MechanicsScratch mechanics;
   ContactScratch contact;

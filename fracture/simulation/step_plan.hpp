@@ -11,15 +11,15 @@
 
 namespace sunder {
 
-/// The parts of one step as they come about; each depends on what the one before met.
+/// The parts of one step as they come about; each depends on the contacts of the one before.
 struct StepPlan {
   enum class Phase {
-    whole,        ///< one part for everybody
+    whole,        ///< one part for all bodies
     whole_done,   ///< which was taken
     equal,        ///< `parts` of one length: of an explicit integrator, or of a divided step
-    others,       ///< those whom open windows do not concern, the whole step
+    others,       ///< bodies outside open windows, the whole step
     others_done,  ///< which was taken
-    members,      ///< then those whom windows do concern, in sub-steps
+    members,      ///< then bodies in windows and near them, in sub-steps
   };
   Phase phase = Phase::whole;
   double start = 0;             ///< s, when the step begins
@@ -30,7 +30,7 @@ struct StepPlan {
 
   /// Members of the part at hand; rows of components and obstacles, empty: all.
   std::vector<char> components, balls;
-  Boundary boundary;  ///< who is who once windows are open
+  Boundary boundary;  ///< roles of bodies once windows are open
   double reach = 0;   ///< m, `reach_of_step` as the roles were given
   /// |C|, Pa: of the weakest vertex, as the part at hand begins; kept in the scratch.
   std::vector<double>& strength;
@@ -48,7 +48,7 @@ struct StepPlan {
   std::uint64_t served = 0;         ///< sub-steps for which contacts that were found still serve
   std::uint32_t together = 1;       ///< sub-steps of an explicit wave in the part to come, at most
   bool throughout = false;          ///< every sub-step is taken finely
-  bool hurried = false;             ///< what is left is taken at once (`Simulation::hurry`)
+  bool hurried = false;             ///< the rest is taken at once (`Simulation::hurry`)
   std::vector<Obstacle> obstacles;  ///< as they were at the start
 
   StepMembers members() const { return {components, balls}; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Strengths of vertices beside those of materials: regions, painted fields, Weibull's law, and
+// Strengths of vertices besides those of materials: regions, painted fields, Weibull's law, and
 // parts that never break.
 #pragma once
 
@@ -24,7 +24,7 @@ struct DrawPlace {
 
 /// (V0 / V)^(1/m) (-ln U)^(1/m), U uniform in (0, 1) from (seed, body, point) alone by splitmix64:
 /// the same bytes on every machine and in every order. The least of strengths so drawn has the law
-/// of the whole volume whatever the mesh: P(sigma) = 1 - exp(-(V / V0) (sigma / sigma_0)^m).
+/// of the whole volume on any mesh: P(sigma) = 1 - exp(-(V / V0) (sigma / sigma_0)^m).
 /// Needs: settings without errors, volume > 0.
 double weibull_factor(const WeibullSettings& settings, const DrawPlace& place);
 
@@ -32,7 +32,7 @@ double weibull_factor(const WeibullSettings& settings, const DrawPlace& place);
 /// tetrahedron has it. A mesh without regions has the region 0.
 std::optional<std::int32_t> find_region(const TetMesh& mesh, const RegionName& name);
 
-/// What a body's strengths and unbreakable parts get wrong beside ranges: unknown_region,
+/// Faults of a body's strengths and unbreakable parts, besides ranges: unknown_region,
 /// repeated_region, painted_strength. Needs: a mesh with tetrahedra.
 void check_strength(fields::SettingsCheck& check, const BodySettings& body);
 

@@ -13,7 +13,7 @@ bool contains(const HeldBox& box, const Vec3& p) {
   return (p.array() >= box.minimum.array()).all() && (p.array() <= box.maximum.array()).all();
 }
 
-/// What one box does alone.
+/// The effect of one box alone.
 Holders alone(std::span<const HeldBox> boxes, std::size_t box) {
   const AxisSet axes = axes_of(boxes[box]);
   Holders holders;

@@ -21,13 +21,12 @@ AxisSet axes_of(const HeldBox& box);
 /// Whether a box leaves its vertices free along some axis.
 bool is_partial(const HeldBox& box);
 
-/// For each axis the last box that holds what rests at `rest` (m, mesh's own coordinates) along it,
-/// or `no_holder`.
+/// For each axis the last box that holds a vertex at rest at `rest` (m, mesh's own coordinates)
+/// along it, or `no_holder`.
 Holders holders_of(std::span<const HeldBox> boxes, const Vec3& rest);
 
-/// Marks what the boxes hold among vertices, with motions of its own for each combination of boxes;
-/// those of single boxes come first, in their order. `vertices`: of one body. `rotation`: of the
-/// body.
+/// Marks the vertices that the boxes hold, with one motion for each combination of boxes. Those of
+/// single boxes come first, in their order. `vertices`: of one body. `rotation`: of the body.
 void hold_vertices(MechanicsState& mechanics, std::span<const VertexId> vertices,
                    std::span<const HeldBox> boxes, const Eigen::Quaterniond& rotation);
 

@@ -29,9 +29,10 @@ struct CutFaces {
 std::vector<Finding> make_cuts(VolumeMap& map, std::span<const BodySettings> bodies,
                                std::span<const BodyRows> rows, std::vector<CutFaces>& made);
 
-/// Makes each cut a crack (`CrackMode::object`): the tetrahedra on its faces get their sides, its
-/// vertices are anchors, on its plane where it is one, with the mean normal of its faces there
-/// elsewhere. So it goes on where its edge passes, and holds back starts beside it.
+/// Makes each cut a crack (`CrackMode::object`): the tetrahedra on its faces get their sides, and
+/// its vertices are anchors. If the cut is plane, they lie on its plane; elsewhere each has the
+/// mean normal of its faces there. So the crack goes on where its edge passes, and holds back
+/// starts next to it.
 void label_cuts(Cells& cells, std::span<const CutFaces> cuts);
 
 }  // namespace sunder

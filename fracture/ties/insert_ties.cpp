@@ -72,7 +72,7 @@ std::array<NodePlace, 2> nodes_of_tie(const Tie& tie, std::size_t k) {
           NodePlace{tetrahedron_of(tie.opposite), tie.opposite_corner[k]}};
 }
 
-/// N, body frame: what the tetrahedra around a node do to it.
+/// N, body frame: force of the tetrahedra around a node on it.
 Vec3 elastic_force(const Cells& cells, const MechanicsState& mechanics, const NodePlace& at) {
   const ElementColumns& elements = mechanics.elements;
   const VertexId row = at.row(cells, mechanics);
@@ -111,7 +111,7 @@ Vec3 traction_between(const Cells& cells, const MechanicsState& mechanics,
   const Vec3 on_a = (mass_a * elastic_force(cells, mechanics, b) -
                      mass_b * elastic_force(cells, mechanics, a)) /
                     (mass_a + mass_b);
-  // What pulls a back towards b is tension.
+  // A force that pulls a back towards b is tension.
   if (!(beginning.area > 0)) return Vec3::Zero();
   return -on_a / beginning.area;
 }
@@ -136,7 +136,7 @@ void begin_corners(std::vector<Tie>& ties, const Cells& cells, const MechanicsSt
       const VertexId a = on_a.row(cells, mechanics), b = on_b.row(cells, mechanics);
       if (a == b) continue;
       if (tie.corners[k].is_apart()) {
-        // Other ties pull at these two already: what they bear together is not known here.
+        // Other ties pull at these two already: their common force is not known here.
         copies[a] = copies[b] = 2;
         continue;
       }

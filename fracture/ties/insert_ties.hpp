@@ -12,14 +12,14 @@
 namespace sunder {
 
 /// Ties the faces of fans with the fracture energy of the weaker side, along the normal of each
-/// fan. Areas of corners are A |n . n_f| / 3, so that a crack takes the same energy whatever the
-/// mesh it zigzags through. Needs: `CrackMode::cohesive`.
+/// fan. Areas of corners are A |n . n_f| / 3, so that a crack takes the same energy on any mesh it
+/// zigzags through. Needs: `CrackMode::cohesive`.
 void add_ties(std::vector<Tie>& ties, const Cells& cells, const MechanicsState& mechanics,
               std::span<const FanEvent> fans);
 
-/// Corners whose vertices have come apart since the last call begin: their strength is the
-/// threshold of the vertex or, if that is more, the traction that was there, so that the force on
-/// both copies is what it was and their acceleration does not jump. Needs: masses of the copies
+/// Begins corners with vertices that have come apart since the last call. Their strength is the
+/// threshold of the vertex or, if that is more, the traction just before. So the force on both
+/// copies does not change and their acceleration does not jump. Needs: masses of the copies
 /// (`rebuild`).
 void begin_corners(std::vector<Tie>& ties, const Cells& cells, const MechanicsState& mechanics);
 

@@ -10,13 +10,13 @@
 namespace sunder {
 namespace {
 
-/// rad: by so much the sides of a face may turn against each other while a corner of it still holds.
-/// A chip that hangs on a corner turns about it, and the frame of its piece, in which strain is
-/// linear, would stretch it by half the square of the angle, in concrete a tenth of what breaks it.
+/// rad: largest turn of the sides of a face against each other while a corner of it still holds. A
+/// chip that hangs on a corner turns about it. The linear strain in the frame of its piece would
+/// stretch it by half the square of the angle. In concrete this is a tenth of its breaking strain.
 constexpr double most_turn = 0.005;
 
-/// Whether nothing ties the sides any more, or all corners are apart and one of them so far that
-/// the sides have turned about those that hold.
+/// Whether no tie holds the sides any more. All corners are apart, and one has opened so far that
+/// the sides have turned about the holding ones, or the whole tie is spent.
 bool lets_go(const Tie& tie) {
   double area = 0, largest = 0;
   bool is_past = false;

@@ -9,10 +9,10 @@
 
 namespace sunder {
 
-/// Takes away the ties that are spent, in their order: each face is unsewn in the map of pieces,
-/// where the oracle is asked and new components are identified (section 4.2), and its sides become
-/// partners. Labels of `cells` follow; masses and frames are left to `rebuild`,
-/// time and part of the release to the caller.
+/// Takes away spent ties, in their order: each face is unsewn in the map of pieces, and its sides
+/// become partners. There the oracle is evaluated and new components are identified (section 4.2).
+/// Labels of `cells` follow. Masses and frames are left to `rebuild`, time and part of the release
+/// to the caller.
 TieRelease release_ties(Cells& cells, ContactMemory& contact, Detection detection,
                         ComponentScratch& scratch);
 

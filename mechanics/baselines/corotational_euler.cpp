@@ -101,8 +101,8 @@ void make_pattern(ReassembledSystem& system, const ComponentStep& step) {
   }
 }
 
-/// Gradients of a tetrahedron's nodes at its points, each turned by what stands at `turn`; one point
-/// of a linear one, four of one of second order.
+/// Gradients of a tetrahedron's nodes at its points, each turned by the rotation at `turn`. A
+/// linear one has one point, one of second order four.
 struct TurnedGradients {
   std::array<std::array<Vec3, 10>, 4> node;
   std::size_t points;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Implicit Euler with corotational forces: what the paper compares its model with.
+// Implicit Euler with corotational forces: the paper's comparison for its model.
 #pragma once
 
 #include <vector>
@@ -25,18 +25,20 @@ struct ReassembledSystem {
 
 /// Linearised once with the elements' turns at x, or at x + h v (`EulerFrame`), held fixed:
 ///   (M + h^2 sum R K R^T) dv = h (f + f_el) [- h^2 sum R K R^T v],  x += h (v + dv) - h^2 g / 2,
-/// assembled and factored anew every step [Mueller and Gross 2004; Baraff and Witkin 1998]. Keeps
+/// assembled and factored again every step [Mueller and Gross 2004; Baraff and Witkin 1998]. Keeps
 /// the momentum exactly. The faults of implicit Euler are those of `step_implicit_euler`.
 /// 15 to 20 ms at 6 000 tetrahedra.
 void step_reassembled_euler(const ComponentStep& step);
 
-/// The same step, not linearised, with the factor of the rest position: the force is split into the
-/// linear one of the component's frame, taken implicitly by the constant factor, and what elements'
-/// own turns add to it, taken from the last iterate, until `tolerance`. Two or three iterations
-/// where parts turn little against the component (stiff bodies); where they turn much it does not
-/// converge, and the reassembled step is taken and reported. Kugelstadt, Koschier and Bender 2018
-/// split differently (stretching by a constant matrix for any turn, volume approximately by
-/// Gauss-Seidel); this split keeps the whole of the elastic energy and is exact in the limit.
+/// The same step, not linearised, with the factor of the rest position. The force is split in two.
+/// The linear force of the component's frame is taken implicitly by the constant factor. The effect
+/// of the elements' own turns is taken from the last iterate, until `tolerance`. Two or three
+/// iterations are enough where parts turn little against the component (stiff bodies). Where they
+/// turn much it does not converge, and the reassembled step is taken and reported. Kugelstadt,
+/// turn much it does not converge, and the reassembled step is taken and reported. Kugelstadt,
+/// Koschier and Bender 2018 split differently (stretching by a constant matrix for any turn, volume
+/// approximately by Gauss-Seidel). This split keeps the whole elastic energy and is exact in the
+/// limit.
 void step_prefactored_euler(const ComponentStep& step);
 
 }  // namespace sunder

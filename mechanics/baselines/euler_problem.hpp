@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The equation of an implicit Euler step as a root to find: what Broyden and Newton share.
+// The equation of an implicit Euler step as a root to find: shared by Broyden and Newton.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ using WorldField = Eigen::Matrix3Xd;
 struct EulerProblem {
   const ComponentStep& step;  ///< with a system; it needs no factor
   WorldField start;           ///< m/s
-  double floor = 0;           ///< N s: what of |F| is rounding
+  double floor = 0;           ///< N s: the part of |F| from rounding
   std::uint32_t evaluations = 0;
 };
 
@@ -45,8 +45,8 @@ double good_enough(const EulerProblem& problem, double first);
 /// definite. Iterations that begin far off, stiff bodies at long steps, do find the other one.
 bool is_nearest_root(const EulerProblem& problem, const WorldField& y);
 
-/// Writes the prediction: y with the momentum of the mass centre made exact whatever the tolerance,
-/// and x + h y less `parabola_shift`.
+/// Writes the prediction: y with the momentum of the mass centre made exact at any tolerance, and x
+/// + h y less `parabola_shift`.
 void finish_euler(const EulerProblem& problem, WorldField& y, const SolveReport& report);
 
 /// The step by the factor, where iterations were given up; the report says so.

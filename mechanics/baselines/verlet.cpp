@@ -16,8 +16,8 @@
 namespace sunder {
 namespace {
 
-/// Half a step h of acceleration for free vertices, from the forces at `predicted.position`. What
-/// the damping took, exactly, J.
+/// Half a step h of acceleration for free vertices, from the forces at `predicted.position`. Gives
+/// the energy taken by the damping, exactly, J.
 double kick(const ComponentStep& step, const Pose& support, double h) {
   MechanicsScratch::Predicted& predicted = step.scratch.predicted;
   // These columns are free until the end of the step and hold forces meanwhile.
@@ -46,7 +46,7 @@ double kick(const ComponentStep& step, const Pose& support, double h) {
   return taken;
 }
 
-/// What one element stands, s.
+/// The longest stable step of one element, s.
 double element_bound(const MechanicsState& state, std::size_t t) {
   const ElementColumns& elements = state.elements;
   const Lame constants = lame(material_of(state, TetId{t}));

@@ -17,19 +17,19 @@ namespace sunder {
 void step_verlet(const ComponentStep& step, std::uint32_t count = 1);
 
 /// `step_verlet` with the least count that keeps sub-steps below nine tenths of the component's
-/// bound. Where that is more than `max_sub_steps` nothing moves, and the report tells the count.
+/// bound. Where that is more than `max_sub_steps` nothing moves, and the report has the count.
 void step_sub_stepped(const ComponentStep& step);
 
-/// Least count of equal parts of `length` (s) below nine tenths of `bound` (s).
-/// More than four thousand million are told as that.
+/// Least count of equal parts of `length` (s) below nine tenths of `bound` (s). At most some four
+/// thousand million.
 std::uint32_t sub_step_count(double length, double bound);
 
 /// The longest stable step, s, with damping of b (`stiffness_factor`, s) where it is B (`bound`)
 /// without: sqrt(B^2 + b^2) - b, as the damping acts by the velocity of half a step before.
 double damped_step_bound(double bound, double stiffness_factor);
 
-/// The least over the elements of a component of what `explicit_step_bound` tells, with the damping
-/// of the settings; elements are measured once and kept in `scratch`.
+/// The least value of `explicit_step_bound` over the elements of a component, with the damping of
+/// the settings; elements are measured once and kept in `scratch`.
 double component_step_bound(MechanicsScratch& scratch, const MechanicsState& state,
                             const Component& component, const RayleighDamping& damping);
 

@@ -81,7 +81,7 @@ void sum_impulses(ContactStep& step) {
   }
 }
 
-/// How surface loads move and turn what is free.
+/// How surface loads accelerate and turn free components.
 void note_loads(ContactStep& step) {
   step.scratch.load_acceleration.clear();
   const MechanicsState& state = step.pass.state;
@@ -120,7 +120,8 @@ void begin_step(ContactStep& step) {
     predict(step.pass.mechanics, state, input, {&component.id, 1});
   });
   if (input.members.component.empty()) return;
-  // What keeps still is where it is; its rows are there also where no member lives.
+  // Components outside the step stay in place. Their predicted rows are needed also where no member
+  // is active.
   predict(step.pass.mechanics, state, input, {});
   for (std::size_t v = 0; v < state.vertices.size(); ++v) {
     if (input.members.has(state.vertices.component[v])) continue;
@@ -141,7 +142,8 @@ std::vector<Vec3> finish_explicit_contacts(ContactStep& step) {
   return moments;
 }
 
-/// Before the bodies are adopted: what is without an impulse is no contact; moments of the others.
+/// Before the bodies are adopted: drops contacts without an impulse, and gives the moments of the
+/// others.
 std::vector<Vec3> finish_contacts(ContactStep& step) {
   if (step.is_wave()) return finish_explicit_contacts(step);
   std::erase_if(step.contacts, [](const ContactPoint& c) { return c.impulse.isZero(0); });
@@ -161,7 +163,7 @@ void take_off_strain(StepStatus& status, const MechanicsState& state, const Step
   });
 }
 
-/// What a bounce took back or gave, it did where the part ends.
+/// The impulses that a bounce took back or gave act at the end of the part.
 void take_back_bounce(std::vector<Vec3>& moments, ContactStep& step) {
   std::vector<Vec3> before;
   for (const ContactPoint& c : step.contacts) before.push_back(c.impulse);

@@ -55,10 +55,11 @@ struct ContactStepResult {
   StepStatus status;
   ContactReport report;
   std::vector<ContactPoint> contacts;  ///< those with an impulse
-  /// N m s, of each of them about the origin: what side A got.
+  /// N m s, one per contact: moment about the origin that side A received.
   std::vector<Vec3> moments;
   TieReport ties;
-  /// Rows = ComponentId, obstacles: who got impulses, be they taken back; empty: nobody.
+  /// Rows = ComponentId, obstacles: those that received impulses, even if these were taken back
+  /// later. Empty: none.
   std::vector<char> touched, ball_touched;
   std::optional<WaveTrace> trace;  ///< of explicit steps
   /// How many of `StepPart::sub_steps` were taken, and the length of the part then, s.
@@ -71,30 +72,31 @@ struct ContactStepResult {
   bool passes = false;
 };
 
-/// One whole step: predicts it without contact, finds contacts along the paths (vertices, corners and
-/// spheres at faces, edges at edges), solves for the impulses that leave
+/// One whole step. It predicts the step without contact and finds contacts along the paths:
+/// vertices, corners and spheres at faces, edges at edges. It solves for the impulses that leave
 ///   gap_end + C j_n / h >= 0,  j_n >= 0,  one of them zero,  |j_t| <= mu j_n against the slip,
-/// by projected Gauss-Seidel with the bodies' own rigid and elastic response, predicts what was
-/// touched again, repeats that while the response's curvature matters, and adopts. No restitution.
+/// by projected Gauss-Seidel with the bodies' own rigid and elastic response. It predicts the
+/// touched bodies again, repeats that while the response's curvature matters, and adopts. No
+/// restitution.
 /// The impulse acts on the frame (P, L) at the start of the step and on the deformation as the
-/// force j / h during it; weight likewise turns from a parabola into a blow at the start for what
-/// is touched. So a body at rest has v = 0 and its static stress. The same blow on the deformation
-/// would leave stiff vertices with the false velocity -j / 2m (rho_infinity = 0).
-/// An impulse that pushed a lumped vertex off the other side faster than it should is then taken
-/// back in part (never more than was given): the impact of one lumped mass makes no bounce.
+/// force j / h during it. For touched bodies the parabola of gravity likewise becomes an impulse at
+/// the start. So a body at rest has v = 0 and its static stress. The same impulse on the
+/// deformation would leave stiff vertices with the false velocity -j / 2m (rho_infinity = 0).
+/// An impulse that pushed a lumped vertex off the other side too fast is then taken back in part,
+/// never more than was given. So the impact of one lumped mass makes no bounce.
 /// Needs: obstacles without findings, a state of `make_state`. Momentum and angular momentum are
-/// conserved to rounding, whatever the tolerance: both impulses of a contact act at one point,
-/// where side A is at the start of the step.
-/// With `StepPart::impact` given: a step that would run into a blow is not taken but returned with
-/// what lies ahead; `frozen` leaves blows alone, they are the next part's; `wave` tells which
-/// components are in the midst of one: touched, with a vertex that comes or goes fast.
+/// conserved to rounding, for any tolerance. Both impulses of a contact act at one point, the place
+/// of side A at the start of the step.
+/// With `StepPart::impact` given, a step that would run into a blow is not taken: the result has
+/// the blows ahead. `frozen` ignores blows, which belong to the next part. `wave` reports the
+/// components inside a blow: touched, with a vertex that approaches or separates fast.
 /// In a `wave` contact is solved for velocities:
 ///   v_end + max(gap_start, 0) / h >= 0,  j_n >= 0,  one of them zero,  friction against the slip,
-/// the impulse being a force over the sub-step. A vertex that touches then stays at rest while it
-/// is pressed: no oscillation against the constraint, no bounce to take back, and no work done but
-/// by friction, by the inelastic stop of what touches (a lumped mass each) and by the push-out.
-/// With `ContactMethod::penalty` every vertex that lies in an obstacle, or in the ball of a
-/// tetrahedron of another component, as the step begins gets the impulse
+/// the impulse being a force over the sub-step. A touching vertex then stays at rest while it is
+/// pressed: no oscillation against the constraint and no bounce to take back. Work is done only by
+/// friction, by the inelastic stop of touching vertices (a lumped mass each) and by the push-out.
+/// With `ContactMethod::penalty`, vertices are tested as the step begins. A vertex in an obstacle,
+/// or in the ball of a tetrahedron of another component, gets the impulse
 ///   h (k depth - c v_n) n >= 0 at its start, and against the slip h min(c |v_t|, mu f_n);
 /// balls likewise. Needs: whole steps of everything, without `StepPart::impact`.
 /// The first pass solves for the supports of resting bodies, the next ones for all other contacts

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a step takes from the last one, and leaves to the next.
+// Values that a step takes from the last step and leaves to the next.
 #include <algorithm>
 
 #include "mechanics/contact/contact_step.hpp"
@@ -12,8 +12,8 @@ bool by_key(const ContactMemory::Remembered& a, const ContactMemory::Remembered&
   return key_of(a.contact) < key_of(b.contact);
 }
 
-/// Whether all that meets in a contact belongs to what the step moves, and not all of it is
-/// carried: contacts of those were solved as they took the step.
+/// Whether all sides of a contact belong to the step, and not all of them are carried. Contacts
+/// among carried bodies were solved when these took the step.
 bool concerns_step(const ContactStep& step, const ContactPoint& contact) {
   const StepMembers& members = step.pass.input.members;
   const MechanicsState& state = step.pass.state;

@@ -81,12 +81,12 @@ struct ContactMemory {
   };
   /// Where the next solve begins; sorted.
   std::vector<Remembered> last_contacts;
-  /// Crack faces that still face each other, in the order in which they came apart. Whoever unsews
-  /// a face adds it.
+  /// Crack faces that still face each other, in the order in which they came apart. The code that
+  /// unsews a face adds it.
   std::vector<Partner> partners;
-  /// Crack faces that still hold, within components, in the order in which they came apart. Whoever
-  /// unsews a face adds it, and takes it away once it is spent; the step notes how far corners have
-  /// opened.
+  /// Crack faces that still hold, within components, in the order in which they came apart. The
+  /// code that unsews a face adds it, and removes it once it is spent; the step notes how far
+  /// corners have opened.
   std::vector<Tie> ties;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One step with contact at work: what its passes share. For the sources of contact only.
+// One step with contact at work: the data that its passes share. For the sources of contact only.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace sunder {
 
-/// What tells contacts apart.
+/// The values that identify a contact.
 using ContactKey =
     std::tuple<std::uint32_t, std::uint32_t, std::uint32_t, VertexId, TetId, std::uint8_t,
                std::uint32_t, std::uint32_t, TetId, HalfFaceId, std::uint8_t>;
@@ -120,31 +120,30 @@ double push_out(const ContactStep& step, const ContactPoint& contact);
 /// m: how far the gap of a contact's row is from where it may be with the impulse as it is.
 double row_error(const Constraint& row);
 
-/// How much farther apart two sides end than predicted, m, once weight is taken as a blow at the
-/// start for what has not been touched yet.
+/// How much farther apart two sides end than predicted, m, once gravity is an impulse at the start
+/// for sides that have not been touched yet.
 Vec3 relative_shift(const ContactStep& step, const ContactPoint& contact);
 
 /// Predicted gap at the end of the step less its target, m; negative: a constraint violation.
 double predicted_gap_error(const ContactStep& step, const ContactPoint& contact,
                            const ContactPath& path);
 
-/// Contacts along the paths, and wakes what they act on. False when there are blows
-/// on them that the step must not run into.
+/// Finds contacts along the paths and wakes the components that they act on. False when there are
+/// blows on them that the step must not run into.
 bool meet(ContactStep& step, double deepest);
 
-/// Of the contacts found, those that have come near since the last pass into `detect.order`:
-/// overlaps, deepest first, and what is closer than the depth of the deepest. Gives that depth, m;
-/// 0 when nothing overlaps.
+/// Puts the contacts that have come near since the last pass into `detect.order`: overlaps, deepest
+/// first, and gaps smaller than the largest depth. Gives that depth, m; 0 when nothing overlaps.
 double find_new_contacts(ContactStep& step, double deepest);
 
-/// Adds what was so found to the contacts of the step, of each pair a set that spans its patch.
+/// Adds these contacts to those of the step: for each pair a set that spans its patch.
 void take_new_contacts(ContactStep& step);
 
-/// Notes instead what of it ends too deep: there is no further pass. Gives the deepest of it, m.
+/// For the last pass instead: notes those of them that end too deep. Gives the largest depth, m.
 double leave_new_contacts(ContactStep& step);
 
-/// Takes all that contacts of the step act on to the rung `full`, but where neither side moves:
-/// such contacts are forgotten.
+/// Raises all components that contacts of the step act on to the rung `full`. Contacts of which
+/// neither side moves are forgotten.
 void wake_touched(ContactStep& step);
 
 /// N s that a contact had in the last step, for the length of this one; 0 if it was none.
@@ -160,8 +159,8 @@ void remember_contacts(ContactStep& step);
 /// gives their impulses.
 void push_by_penalty(ContactStep& step);
 
-/// Share of the opening that ends a tie to which it is solved: what ties take is exact for any
-/// force; this bounds by how much those creep that stick.
+/// Tolerance of ties, as a share of the opening that ends a tie. Impulses of ties are exact for any
+/// force. This value bounds the creep of ties that stick.
 inline constexpr double tie_tolerance = 1e-3;
 
 /// The ties of a whole step, as the first of its contacts.
@@ -170,10 +169,10 @@ void begin_ties(ContactStep& step);
 /// Takes the ties from the contacts after the last pass. Corners note how far they have opened.
 TieReport finish_ties(ContactStep& step);
 
-/// Blows among the contacts found: they are told, and in a frozen part forgotten.
+/// Reports the blows among the contacts found, and in a frozen part forgets them.
 void look_for_blows(ContactStep& step);
 
-/// Which components are in the midst of a blow, into `step.blows`. Needs: the state of the start.
+/// Lists the components inside a blow in `step.blows`. Needs: the state of the start.
 void feel_blows(ContactStep& step);
 
 }  // namespace sunder

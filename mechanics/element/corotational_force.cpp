@@ -10,14 +10,14 @@ namespace sunder {
 Mat3 element_rotation(const Mat3& F, const Mat3& near) {
   Mat3 R = near;
   constexpr int most_iterations = 4;
-  // Cubic, as what Newton leaves out is proportional to the turn itself: 1e-12 after one of 1e-4.
+  // Cubic, since Newton's error is proportional to the turn itself: 1e-12 after one of 1e-4.
   constexpr double converged = 1e-4;
   for (int i = 0; i < most_iterations; ++i) {
     const Mat3 P = R.transpose() * F;
     const Vec3 skew(P(2, 1) - P(1, 2), P(0, 2) - P(2, 0), P(1, 0) - P(0, 1));
     Mat3 G = -0.5 * (P + P.transpose());
     G.diagonal().array() += P.trace();
-    // Near a rotation G is near 2 I; what is not goes the safe way.
+    // Near a rotation G is near 2 I; all other matrices take the safe way.
     if (!(G.diagonal().minCoeff() > 1 && std::abs(G(0, 1)) + std::abs(G(0, 2)) < 0.4 &&
           std::abs(G(1, 0)) + std::abs(G(1, 2)) < 0.4)) {
       break;

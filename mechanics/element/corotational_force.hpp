@@ -42,12 +42,11 @@ inline Mat3 corotational_stress(const Mat3& R, const Mat3& F, const Lame& lame) 
 void corotational_forces(std::span<Vec3> force, const ElasticInput& input,
                          const Component& component);
 
-/// Forces of a viscosity of `factor` (s) times the stiffness, N, world: -V F S grad N_a with
-/// S = factor (lambda tr(E') I + 2 mu E') and the rate of Green's strain E' = (F^T F' + F'^T F) /
-/// 2, at Gauss' points as above. Where nothing is strained that is -factor R K_e R^T v. A rigid
-/// motion has E' = 0 in any state of strain, net force and torque are zero to rounding, and what is
-/// taken, -sum v . force = V S : E', is never negative. `force`: |V|, rows of the component's nodes
-/// are set.
+/// Forces of a viscosity of `factor` (s) times the stiffness, N, world: -V F S grad N_a with S =
+/// factor (lambda tr(E') I + 2 mu E') and the rate of Green's strain E' = (F^T F' + F'^T F) / 2, at
+/// Gauss' points as above. Without strain that is -factor R K_e R^T v. A rigid motion has E' = 0 in
+/// any state of strain. Net force and torque are zero to rounding, and the power taken, -sum v .
+/// force = V S : E', is never negative. `force`: |V|, rows of the component's nodes are set.
 void viscous_forces(std::span<Vec3> force, const ElasticInput& input,
                     std::span<const Vec3> velocities, const Component& component, double factor);
 

@@ -60,8 +60,8 @@ void turn_to_world(const ElasticOutput& output, const Component& component, cons
   }
 }
 
-/// Turns the net torque of the body-frame forces K d into a term that cancels it: what the rotation
-/// R(x) itself does to the energy.
+/// Turns the net torque of the body-frame forces K d into a term that cancels it: the effect of the
+/// rotation R(x) itself on the energy.
 void remove_torque(const ElasticOutput& output, const ElasticInput& input,
                    const Component& component) {
   const VertexColumns& vertices = input.state.vertices;

@@ -10,7 +10,7 @@
 
 namespace sunder {
 
-/// What algorithm 1 looks at.
+/// The input of algorithm 1.
 struct ElasticInput {
   const MechanicsState& state;
   std::span<const Corners> corners;  ///< |T|

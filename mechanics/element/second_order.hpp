@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Second-order tetrahedra, straight at rest: ten nodes, the corners and the middles of the edges.
 // Node k < 4 is corner k, node 4 + e the middle of edge e (`edge_ends`). Displacement is quadratic,
-// strain and stress are linear: what stands at the four corners says all of them.
+// strain and stress are linear: their values at the four corners determine them.
 #pragma once
 
 #include <array>
@@ -47,8 +47,8 @@ std::array<Mat3, 4> corner_gradients(const ElementColumns& elements,
                                      std::span<const Corners> corners,
                                      std::span<const Vec3> displacement, TetId t);
 
-/// What is linear in a tetrahedron, from its corners to the four points whose mean of products of two
-/// such fields is exact (Gauss' rule of degree 2), and back.
+/// A linear field in a tetrahedron, from its corners to the four points of Gauss' rule of degree 2,
+/// and back. The mean over these points of products of two such fields is exact.
 std::array<Mat3, 4> at_points(const std::array<Mat3, 4>& at_corners);
 std::array<Mat3, 4> at_corners_of(const std::array<Mat3, 4>& at_points);
 
@@ -72,8 +72,9 @@ Vec3 node_force(const ElementColumns& elements, std::span<const Mat3> stress,
 /// rigidly; its mass follows with `rebuild`.
 VertexId append_middle(VertexColumns& vertices, VertexId a, VertexId b);
 
-/// Adds to `force` (N, world, |V| rows, resized with zeros) what the weight of second-order
-/// tetrahedra at their nodes has beyond that of the nodes' masses. Nothing in all, and no moment.
+/// Adds the excess of the weight of second-order tetrahedra at their nodes over that of the nodes'
+/// masses to `force` (N, world, |V| rows, resized with zeros). Its sum is zero, and so is its
+/// moment.
 void add_consistent_weight(std::vector<Vec3>& force, const MechanicsState& state,
                            std::span<const Corners> corners, const Vec3& gravity);
 

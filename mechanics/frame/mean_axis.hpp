@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The mean-axis conditions: what of a field of vectors is rigid, and how to take it out exactly.
+// The mean-axis conditions: the rigid part of a vector field, and its exact removal.
 #pragma once
 
 #include <span>
@@ -14,7 +14,7 @@ namespace sunder {
 using LocalField = Eigen::Ref<Eigen::Matrix3Xd>;
 using ConstLocalField = Eigen::Ref<const Eigen::Matrix3Xd>;
 
-/// A component at rest, in the order of whoever made it.
+/// A component at rest, in the order of vertices of its maker.
 struct RestShape {
   Eigen::Matrix3Xd arm;  ///< r0 = rest position - rest centre, m
   Eigen::VectorXd mass;  ///< lumped, kg
@@ -44,16 +44,16 @@ struct RigidField {
 /// The rigid accelerations a load (N) gives: sum b / m and J0^-1 sum r0 x b.
 RigidField rigid_response(const RestShape& shape, ConstLocalField load);
 
-/// Leaves of a load (N) what only deforms: b -= m (a0 + alpha x r0), so that sum b = 0 and
-/// sum r0 x b = 0. Gives what it took out. K, M and C map that subspace into itself.
+/// Removes the rigid part from a load (N): b -= m (a0 + alpha x r0), so that sum b = 0 and sum r0 x
+/// b = 0. Gives the removed part. K, M and C map that subspace into itself.
 RigidField project_load(LocalField load, const RestShape& shape);
 
-/// Leaves of an acceleration field what only deforms: sum m a = 0 and sum m r0 x a = 0.
+/// Removes the rigid part from an acceleration field: sum m a = 0 and sum m r0 x a = 0.
 void project_acceleration(LocalField acceleration, const RestShape& shape);
 
-/// Takes the rigid part out of a velocity field: u -= u0 + phi x q, with sum m u = 0 and
-/// sum m r0 x u = 0 afterwards. Rotations act on the present q, so that what is taken out is the
-/// velocity of a rigid motion exactly. Gives u0 and phi. Needs: sum m q = 0.
+/// Takes the rigid part out of a velocity field: u -= u0 + phi x q, with sum m u = 0 and sum m r0 x
+/// u = 0 afterwards. Rotations act on the present q, so that the removed part is the velocity of a
+/// rigid motion exactly. Gives u0 and phi. Needs: sum m q = 0.
 RigidField project_rate(LocalField rate, const RestShape& shape, ConstLocalField q);
 
 }  // namespace sunder

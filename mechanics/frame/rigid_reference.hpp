@@ -15,8 +15,8 @@ namespace sunder {
 /// centre c0), and its rotation. With these weights it is the mean-axis frame: the displacement
 /// that is left has sum m d = 0 and sum m r0 x d = 0.
 /// `positions`: |V|, m. Warm-started from `component.orientation`, exact all the same.
-/// O(vertices of the component), 5 ns each. Collinear or coincident positions keep what they can
-/// of the last orientation.
+/// O(vertices of the component), 5 ns each. Collinear or coincident positions keep the part of the
+/// last orientation that they do not determine.
 Pose rigid_reference(const Component& component, const VertexColumns& vertices,
                      std::span<const Vec3> positions);
 

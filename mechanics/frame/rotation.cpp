@@ -58,7 +58,7 @@ Eigen::Quaterniond refine_rotation(const Mat3& A, const Eigen::Quaterniond& last
   const Mat3 unit = A / scale;
   Eigen::Quaterniond R = last;
   constexpr int most_iterations = 6;
-  // Quadratic: after a turn of 1e-9 what is left is below rounding.
+  // Quadratic: after a turn of 1e-9 the rest is below rounding.
   constexpr double converged = 1e-9;
   for (int i = 0; i < most_iterations; ++i) {
     const Mat3 P = R.toRotationMatrix().transpose() * unit;

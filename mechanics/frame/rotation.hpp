@@ -30,10 +30,10 @@ Eigen::Quaterniond rotation_of(const Vec3& turn);
 Eigen::Quaterniond extract_rotation(const Mat3& A, const Eigen::Quaterniond& last);
 
 /// The same rotation by Newton's method on SO(3) from `last`: R <- R exp(w), with S = sym(R^T A)
-/// and (tr(S) I - S) w = 2 axl(skew(R^T A)); quadratic, about 0.2 us a turn of the loop.
-/// Falls back on `extract_rotation` where that matrix is not clearly positive definite (which is
-/// what tells the maximum from other stationary points, half turns among them) or where six
-/// iterations are not enough. Error a few units of rounding.
+/// and (tr(S) I - S) w = 2 axl(skew(R^T A)). Quadratic, about 0.2 us per turn of the loop. Falls
+/// back on `extract_rotation` where that matrix is not clearly positive definite, or where six
+/// iterations are not enough. Definiteness distinguishes the maximum from other stationary points,
+/// half turns among them. Error a few units of rounding.
 Eigen::Quaterniond refine_rotation(const Mat3& A, const Eigen::Quaterniond& last);
 
 }  // namespace sunder

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What baselines keep for one component from step to step; derived, thrown away when it changes.
+// Data that baselines keep for one component from step to step; derived, thrown away when it
+// changes.
 #pragma once
 
 #include <memory>
@@ -14,7 +15,7 @@ namespace sunder {
 struct ModalBasis;
 struct ReassembledSystem;
 
-/// Row of `MechanicsScratch::baselines`. Each part is made by whoever needs it first.
+/// Row of `MechanicsScratch::baselines`. Each part is made at its first use.
 struct BaselineSystem {
   BaselineSystem();
   ~BaselineSystem();

@@ -23,11 +23,11 @@ constexpr GeneralisedAlpha generalised_alpha(double rho_infinity) {
   return {alpha_m, alpha_f, width * width / 4, 0.5 - alpha_m + alpha_f};
 }
 
-/// The rho_infinity that a component takes a step of `time_step` with: the user's where the step
-/// resolves its slowest axial mode (w h <= 0.3, w = pi c / L), 0 where it does not (w h >= 3), and
-/// in between by the logarithm of w h. A load that comes suddenly then settles at the static
-/// solution in long steps, whatever the user's is: 0.5 would ring for five. `extent_travel`: L/c,
-/// s.
+/// The rho_infinity with which a component takes a step of `time_step`. It is the user's where the
+/// step resolves its slowest axial mode (w h <= 0.3, w = pi c / L). It is 0 where it does not (w h
+/// >= 3), and in between goes by the logarithm of w h. A load that comes suddenly then settles at
+/// the static solution in long steps, for any value of the user: 0.5 would ring for five.
+/// `extent_travel`: L/c, s.
 double followed_rho(double rho_infinity, double time_step, double extent_travel);
 
 /// A = mass M + stiffness K of the integrator, Rayleigh damping C = a M + b K included:

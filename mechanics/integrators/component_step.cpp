@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What integrators share: a component's factored system, and loads in its frame.
+// Common parts of integrators: a component's factored system, and loads in its frame.
 #include "mechanics/integrators/component_step.hpp"
 
 #include <algorithm>
@@ -44,7 +44,7 @@ bool is_pulled(const MechanicsState& state, const Component& component) {
 Deformation deformation_of(const StepInput& input, const MechanicsState& state,
                            const Component& component) {
   const Deformation asked = input.part.deformation;
-  // What may slide goes with time, never ahead of it.
+  // A component that may slide moves with time, never ahead of it.
   if (component.partly_held) return Deformation::whole;
   const bool must_move = asked == Deformation::frozen && is_pulled(state, component);
   return must_move ? Deformation::catch_up : asked;

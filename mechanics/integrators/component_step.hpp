@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What every integrator is given for one component, and how it reads and writes its rows.
+// Input of every integrator for one component, and how it reads and writes its rows.
 #pragma once
 
 #include "mechanics/integrators/scratch.hpp"
@@ -8,8 +8,8 @@
 
 namespace sunder {
 
-/// One component in one step. Integrators read the state, write `scratch.predicted` and what they
-/// need of `state.systems`.
+/// One component in one step. Integrators read the state, write `scratch.predicted` and the systems
+/// that they need in `state.systems`.
 struct ComponentStep {
   MechanicsScratch& scratch;
   MechanicsState& state;
@@ -54,7 +54,7 @@ enum class ScratchField {
   spare
 };
 
-/// `scratch.local[which]` as 3 x n; grows, never shrinks. Contents are whatever they were.
+/// `scratch.local[which]` as 3 x n; grows, never shrinks. Contents are undefined.
 inline Eigen::Map<Eigen::Matrix3Xd> scratch_field(MechanicsScratch& scratch, ScratchField which,
                                                   std::size_t n) {
   std::vector<double>& buffer = scratch.local[static_cast<std::size_t>(which)];

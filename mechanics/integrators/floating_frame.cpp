@@ -32,7 +32,7 @@ BodyDeformation gather_deformation(const ComponentStep& step) {
 }
 
 /// Dd . C d' with the rate where the scheme balances forces: at `balance` of the way from the rate
-/// of the start to `d.rate`. What the damping took in the step, exactly, J.
+/// of the start to `d.rate`. This is the energy taken by the damping in the step, exactly, J.
 double damping_work(const ComponentStep& step, const RayleighDamping& damping,
                     const BodyDeformation& d, double balance) {
   const std::size_t n = step.system->size();
@@ -49,7 +49,7 @@ double damping_work(const ComponentStep& step, const RayleighDamping& damping,
   return damping.mass_factor * inner + damping.stiffness_factor * rate.cwiseProduct(product).sum();
 }
 
-/// Held vertices go on at their constant rate, whatever the deformation's own time is.
+/// Held vertices go on at their constant rate, for any time scale of the deformation.
 void move_held(const ComponentStep& step, BodyDeformation& d) {
   const auto held = static_cast<Eigen::Index>(step.system->size() - step.system->free_count);
   d.displacement.rightCols(held) += step.input.settings.time_step * d.rate.rightCols(held);
@@ -162,7 +162,8 @@ Field inertial_load(const ComponentStep& step, const BodyDeformation& d, const S
   return load;
 }
 
-/// What inertial forces are extrapolated with: of modes their mean rate over the step.
+/// Deformation from which inertial forces are extrapolated: for modes their mean rate over the
+/// step.
 BodyDeformation motion_ahead(const ComponentStep& step, const BodyDeformation& d) {
   if (step.input.settings.integrator != Integrator::modal) return d;
   const std::size_t n = step.system->size();
@@ -173,7 +174,7 @@ BodyDeformation motion_ahead(const ComponentStep& step, const BodyDeformation& d
   return ahead;
 }
 
-/// Moves what rounding left of rigid motion in d and d' into the frame: no vertex moves.
+/// Moves the rigid motion that rounding left in d and d' into the frame: no vertex moves.
 void settle_frame(const ComponentStep& step, BodyDeformation& d, PredictedFrame& next) {
   const RestShape& shape = step.system->shape;
   const Vec3 shift = d.displacement * shape.mass / shape.total_mass;

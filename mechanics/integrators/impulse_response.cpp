@@ -34,7 +34,7 @@ void add_momenta(MechanicsState& state, const BodyBlow& blow) {
   }
 }
 
-/// What the blow does to d': j / m in the body frame less its rigid part.
+/// Change of d' by the blow: j / m in the body frame less its rigid part.
 void add_rates(MechanicsState& state, const BodyBlow& blow) {
   const Component& component = blow.component;
   VertexColumns& vertices = state.vertices;

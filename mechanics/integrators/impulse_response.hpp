@@ -21,10 +21,10 @@ struct StruckVertices {
   std::span<const VertexId> vertices;  ///< k, none twice
 };
 
-/// Adds j / m to the velocity of every vertex struck: P += j, L += (x - c) x j, and what is neither
-/// goes into the displacement rate, mean-axis free, so that x stays and P, L are exact. Impulses
-/// at held vertices go into the support and change nothing. An isolated tetrahedron turns rigidly.
-/// Several impulses at one vertex add up. O(vertices of the components struck).
+/// Adds j / m to the velocity of every vertex struck: P += j, L += (x - c) x j. The rest goes into
+/// the displacement rate, mean-axis free, so that x stays and P, L are exact. Impulses at held
+/// vertices go into the support and change nothing. An isolated tetrahedron turns rigidly. Several
+/// impulses at one vertex add up. O(vertices of the components struck).
 void apply_impulses(MechanicsState& state, std::span<const VertexImpulse> impulses);
 
 /// Inertia of a component about its mass centre as it is deformed now, kg m^2, world.

@@ -19,8 +19,8 @@ struct Corner4 {
   CornerVectors position, velocity;
 };
 
-/// Velocities with what contact has added to P and L since they were written: those of vertices do
-/// not know of it.
+/// Velocities including the impulses that contact has added to P and L since they were written; the
+/// vertices' own velocities lack these.
 Corner4 corners_at_start(const ComponentStep& step) {
   const Component& body = step.component;
   const VertexColumns& vertices = step.state.vertices;

@@ -44,7 +44,7 @@ Eigen::VectorXd coordinates(const ModalBasis& basis, const ComponentStep& step,
   return basis.shape.transpose() * dof_masses(*step.system).cwiseProduct(free_dofs(step, field));
 }
 
-/// Forces on free vertices with what held ones do to them in the middle of the step.
+/// Forces on free vertices, including those of held ones in the middle of the step.
 Eigen::VectorXd force_on_free(const ComponentStep& step, const ModalDeformation& d,
                               ConstLocalField load) {
   const auto free = static_cast<Eigen::Index>(step.system->free_count);

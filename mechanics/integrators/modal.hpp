@@ -34,8 +34,8 @@ struct ModalDeformation {
 /// Two dense products: 10 us at 60 vertices, 1 ms at 300.
 void advance_modes(const ComponentStep& step, const ModalDeformation& d, ConstLocalField load);
 
-/// Mean rate over the step of the motion without load, into `rate`: what Coriolis forces see, for
-/// steps that resolve oscillations and for those that do not.
+/// Mean rate over the step of the motion without load, into `rate`. Coriolis forces act on this
+/// rate, in steps that resolve oscillations and in those that do not.
 void mean_modal_rate(LocalField rate, const ComponentStep& step, const ModalDeformation& d);
 
 /// Displacement (rows, of free vertices) at the end of the step for unit impulses (columns) that

@@ -19,8 +19,8 @@ void model_forces(std::span<Vec3> force, const ComponentStep& step, std::span<co
 /// The frame of a supported component at the end of the step: it moves with its support.
 Pose support_at_end(const ComponentStep& step);
 
-/// Writes displacements, their rates and the frame of what `predicted.position` and
-/// `predicted.velocity` hold for the component: the end of every integrator of (x, v).
+/// Writes displacements, their rates and the frame of the component from `predicted.position` and
+/// `predicted.velocity`: the end of every integrator of (x, v).
 void fit_prediction(const ComponentStep& step);
 
 /// How much lower than x + h v a free component ends: its mass centre flies on a parabola, so

@@ -10,7 +10,7 @@ double numerical_loss(const ComponentSystem& system, const IntegratorSettings& s
                       const DeformationStep& step) {
   const auto [alpha_m, alpha_f, beta, gamma] = generalised_alpha(settings.rho_infinity);
   const double h = settings.time_step;
-  double turned = 0, lent = 0;  // Dd.M Da, and what a . M a holds
+  double turned = 0, lent = 0;  // Dd.M Da, and the content of a . M a
   for (std::size_t i = 0; i < system.size(); ++i) {
     const std::size_t v = system.order[i].index();
     const Vec3 way = step.after.displacement[v] - step.before.displacement[v] + step.shift;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the time schemes take from the energy of a component in one step, in closed form.
+// Energy that the time schemes take from a component in one step, in closed form.
 #pragma once
 
 #include <span>
@@ -20,7 +20,8 @@ struct DeformationRows {
 struct DeformationStep {
   DeformationRows before, after;
   double stiffness_difference = 0;
-  /// m, body frame: what of the displacements the frame took over, where a body slides far.
+  /// m, body frame: the part of the displacements that the frame took over, where a body slides
+  /// far.
   Vec3 shift = Vec3::Zero();
 };
 

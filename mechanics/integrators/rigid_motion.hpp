@@ -26,7 +26,7 @@ Mat3 deformed_inertia(const VertexColumns& vertices, const Component& body);
 /// orientation is left alone, and the torque is taken as that of the start.
 PredictedFrame advance_centre(const ComponentStep& step, const RigidLoad& load);
 
-/// What the turn of a step depends on.
+/// The quantities that determine the turn of a step.
 struct SpinStep {
   Mat3 inertia = Mat3::Identity();  ///< body frame, middle of the step, kg m^2
   Vec3 inner = Vec3::Zero();        ///< sum m q x d', body frame, middle of the step, kg m^2/s

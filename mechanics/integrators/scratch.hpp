@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Scratch of mechanics: the state that a step predicts, and what follows from the state to the bit.
+// Scratch of mechanics: the state that a step predicts, and values that follow exactly from the
+// state.
 #pragma once
 
 #include <array>
@@ -15,7 +16,7 @@ namespace sunder {
 struct BaselineSystem;
 struct ColumnScratch;
 
-/// What `predict` computes for one component beside its rows.
+/// Results of `predict` for one component, in addition to its rows.
 struct PredictedFrame {
   Vec3 centre = Vec3::Zero();
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
@@ -23,12 +24,12 @@ struct PredictedFrame {
   Vec3 angular_momentum = Vec3::Zero();
   double damping_work = 0;  ///< J taken by Rayleigh damping in this step
   double turned = 0;        ///< rad: h^2 / I times the largest moment of forces that do not turn
-  double spun = 0;  ///< rad: h times the spin at the start of the step, of what turns freely
+  double spun = 0;  ///< rad: h times the spin at the start of the step, of freely turning bodies
   SolveReport solve = {};
-  Vec3 spin = Vec3::Zero();  ///< rad/s, world; of what floats in its frame
+  Vec3 spin = Vec3::Zero();  ///< rad/s, world; of bodies that float in their frames
 };
 
-/// Scratch of one step, and what follows from the state to the bit. All of it can be thrown away
+/// Scratch of one step, and values that follow exactly from the state. All of it can be thrown away
 /// between two steps; the next gives the same bytes. Bounded by the present mesh.
 struct MechanicsScratch {
   MechanicsScratch();
@@ -36,10 +37,10 @@ struct MechanicsScratch {
   MechanicsScratch(MechanicsScratch&&) noexcept;
   MechanicsScratch& operator=(MechanicsScratch&&) noexcept;
 
-  /// What the baselines keep for a component; row = ComponentId, null until needed.
+  /// Data that the baselines keep for a component; row = ComponentId, null until needed.
   std::vector<std::unique_ptr<BaselineSystem>> baselines;
 
-  /// Predicted state, rows as in the state. `position` is what contact looks at.
+  /// Predicted state, rows as in the state. Contact works with `position`.
   struct Predicted {
     std::vector<Vec3> position, velocity;
     std::vector<Vec3> displacement, displacement_rate, displacement_acceleration;

@@ -21,13 +21,13 @@ double deepest_of(const RubblePatch& patch) {
   return least;
 }
 
-/// A point with where it is on B, world.
+/// A point with its place on B, world.
 struct Placed {
   Point point;
   Vec3 at{0, 0, 0};
 };
 
-/// Puts the four that span `points` into `patch`.
+/// Puts the four points that span `points` into `patch`.
 void keep_four(RubblePatch& patch, std::vector<Placed>& points) {
   const auto bring = [&](std::size_t place, auto value) {
     std::size_t best = place;
@@ -37,7 +37,7 @@ void keep_four(RubblePatch& patch, std::vector<Placed>& points) {
     std::swap(points[place], points[best]);
   };
   bring(0, [](const Placed& p) { return -p.point.separation; });
-  // What is much higher than the deepest carries nothing before it gives way.
+  // Points much higher than the deepest one carry nothing before it gives way.
   double reach = 0;
   for (const Placed& p : points) reach = std::max(reach, (p.at - points[0].at).norm());
   const double highest = std::max(0.0, points[0].point.separation) + 0.01 * reach;

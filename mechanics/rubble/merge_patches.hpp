@@ -9,10 +9,10 @@
 
 namespace sunder {
 
-/// Patches between the same two bodies whose normals lie within 25 degrees of the deepest of them
-/// become one, with its normal and four points that span them: the deepest, and those farthest
-/// apart among what is not much higher. Sorted by bodies. Needs: places and separations of all
-/// points.
+/// Merges patches between the same two bodies with normals within 25 degrees of the deepest of
+/// them. The result has the normal of the deepest and four points that span the patches: the
+/// deepest point, and the farthest apart among those not much higher. Sorted by bodies. Needs:
+/// places and separations of all points.
 void merge_patches(std::vector<RubblePatch>& patches, std::span<const MovingBody> bodies);
 
 }  // namespace sunder

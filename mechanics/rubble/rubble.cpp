@@ -33,7 +33,7 @@ void turn(MovingBody& m, const RubbleBody& body) {
   m.spin = m.inverse_inertia * body.angular_momentum;
 }
 
-/// Patches of what may touch within `time`.
+/// Patches of bodies that may touch within `time`.
 void find(Tick& tick, double time) {
   const FindInput input{tick.bodies, tick.scratch.moving, tick.shapes, tick.partners,
                         tick.settings,  time};
@@ -65,7 +65,7 @@ void note_velocities(Tick& tick) {
   }
 }
 
-/// Momenta of what contact has pushed, and the work of that: each impulse times the mean velocity.
+/// Momenta of bodies pushed by contact, and the work on them: each impulse times the mean velocity.
 void take_impulses(Tick& tick) {
   for (std::size_t k = 0; k < tick.bodies.size(); ++k) {
     RubbleBody& body = tick.bodies[k];
@@ -128,7 +128,7 @@ void fall(Tick& tick) {
   }
 }
 
-/// Places after a sub-step. What touches nothing flies on its parabola.
+/// Places after a sub-step. A body without contact flies on its parabola.
 void move(Tick& tick) {
   const double h = tick.sub_step();
   const Vec3 lag = 0.5 * h * h * tick.settings.gravity;
@@ -181,8 +181,8 @@ void add_memory(std::vector<RubbleMemory::Point>& points, const Tick& tick,
   }
 }
 
-/// Points as they are, and those of the last tick between what keeps still: what wakes goes on
-/// with them.
+/// Keeps the present points, and those of the last tick between bodies that keep still: woken
+/// bodies go on with them.
 void remember(Tick& tick) {
   std::vector<RubbleMemory::Point>& points = tick.memory.points;
   std::erase_if(points, [&](const RubbleMemory::Point& p) {
@@ -194,7 +194,8 @@ void remember(Tick& tick) {
   });
 }
 
-/// How often patches are found anew: while most things fly farther in a tick than they are large.
+/// How often patches are found in a tick: more often while most bodies fly farther in a tick than
+/// they are large.
 int rounds_of(const Tick& tick) {
   double way = 0, size = 0;
   std::size_t count = 0;
@@ -212,7 +213,7 @@ int rounds_of(const Tick& tick) {
   return rounds;
 }
 
-/// From what lies lowest up; without weight as they are.
+/// From the lowest patch up; without gravity in their present order.
 void sort_by_height(Tick& tick) {
   std::vector<double> height;
   for (const RubblePatch& p : tick.scratch.patches) {
@@ -223,8 +224,8 @@ void sort_by_height(Tick& tick) {
   std::ranges::stable_sort(tick.scratch.order, {}, [&](std::uint32_t k) { return height[k]; });
 }
 
-/// How many bodies lie upon each other at most, from what is driven or asleep up, by the points that
-/// pushed in the last tick.
+/// The largest number of bodies upon each other, counted up from driven or sleeping bodies, by the
+/// points that pushed in the last tick.
 std::uint32_t layers_of(const Tick& tick) {
   constexpr std::uint32_t unknown = ~0u;
   std::vector<std::uint32_t> layer(tick.bodies.size(), unknown), reached, next;
@@ -255,7 +256,7 @@ std::uint32_t layers_of(const Tick& tick) {
   return most;
 }
 
-/// Weight goes through a tower a body at a time: what is high needs more sub-steps.
+/// Weight goes through a tower one body per sweep: a high tower needs more sub-steps.
 void choose_sub_steps(Tick& tick) {
   const std::uint32_t layers = layers_of(tick);
   tick.report.layers = std::max(tick.report.layers, layers);
@@ -276,7 +277,7 @@ void forces_to_impulses(Tick& tick) {
 /// The next of so many equal rounds.
 void take_round(Tick& tick, int rounds) {
   find(tick, tick.settings.length / rounds);
-  // What flies far in a tick bears nothing yet.
+  // Bodies that fly far in a tick bear nothing yet.
   if (rounds == 1) choose_sub_steps(tick);
   forces_to_impulses(tick);
   const int sub_steps = tick.sub_steps / rounds;
@@ -285,7 +286,7 @@ void take_round(Tick& tick, int rounds) {
   auto& [find, moving, patches, order, pressed, velocity, spin] = tick.scratch;
   double size = 0;
   for (const RubbleBody& body : tick.bodies) size = std::max(size, is_awake(body) ? body.radius : 0);
-  // As fast as what falls by its own size; a sweep without pushing takes that speed back.
+  // The speed of a fall by its own size; a sweep without pushing takes that speed back.
   const double push = std::max(3 * size, std::sqrt(tick.settings.gravity.norm() * size));
   const SweepRule pushing = pushing_rule(tick.sub_step(), tick.settings.slop, push);
   const SweepRule relaxing = relaxing_rule(tick.sub_step());

@@ -20,21 +20,21 @@ struct RubbleScratch {
   std::unique_ptr<Buffers> buffers;
 };
 
-/// Two bodies that push at each other, and what the first got in the tick, N s.
+/// Two bodies that push at each other, and the impulse on the first in the tick, N s.
 struct RubbleTouch {
   std::uint32_t a = 0, b = 0;
   Vec3 impulse{0, 0, 0};
 };
 
 /// One tick of rigid bodies with contact and friction. Patches are found once; sub-steps then
-/// follow them: velocities under gravity, warm start, a sweep to and fro that pushes overlaps out,
-/// places, one without pushing [soft steps: Catto 2024, "Solver2D"]. Normal impulses by
-/// point, friction and its twist by patch. What approaches is stopped where it touches. Both sides
-/// of a patch are pushed at one place, so that momentum and angular momentum are kept to rounding;
-/// bodies turn with their angular momentum (`turn_through_step`).
-/// A body that has been still for `sleep_after`, as have all that push at it, falls asleep: it
-/// stands as if it were held. Touched by what is not still it wakes; struck, by ten times the speed
-/// that counts as still, with all that hangs together with it.
+/// follow them. A sub-step has velocities under gravity, warm start, a sweep to and fro that pushes
+/// overlaps out, places, and one without pushing [soft steps: Catto 2024, "Solver2D"]. Normal
+/// impulses are by point, friction and its twist by patch. Approaching points are stopped where
+/// they touch. Both sides of a patch are pushed at one place, so that momentum and angular momentum
+/// are kept to rounding. Bodies turn with their angular momentum (`turn_through_step`).
+/// A body falls asleep if it, and all bodies that push at it, have been still for `sleep_after`: it
+/// stands as if it were held. It wakes when a body that is not still touches it. A blow, by ten
+/// times the speed that counts as still, also wakes all bodies connected with it.
 /// `touches` gets the pairs of bodies that push, sorted. The result follows from bodies, shapes
 /// and memory alone, the same bytes on any number of threads.
 /// Faces of `partners` meet their partners while they face them, and nothing else near these.

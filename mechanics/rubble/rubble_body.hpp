@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rigid bodies of the rubble solver, and what chooses how they are stepped.
+// Rigid bodies of the rubble solver, and the settings of their steps.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace sunder {
 
-/// A rigid body, or what moves as it is told (`mass` 0).
+/// A rigid body, or a driven body (`mass` 0).
 struct RubbleBody {
   double mass = 0;                     ///< kg; 0: driven, at `velocity`
   Mat3 inertia = Mat3::Zero();         ///< kg m^2, about `centre`, in the body's own axes
@@ -20,7 +20,7 @@ struct RubbleBody {
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< its own axes to the world's
   Vec3 momentum = Vec3::Zero();          ///< kg m/s
   Vec3 angular_momentum = Vec3::Zero();  ///< kg m^2/s, about `centre`, world
-  Vec3 velocity = Vec3::Zero();          ///< m/s, of what is driven
+  Vec3 velocity = Vec3::Zero();          ///< m/s, of driven bodies
   double friction = 0.5;                 ///< Coulomb's coefficient; two bodies have the mean
   double radius = 0;                     ///< m, of the farthest point of its shapes from `centre`
   double still = 0;                      ///< s, for which it has lain still
@@ -33,7 +33,7 @@ struct RubbleShape {
   enum class Kind : std::uint8_t { tetrahedron, box, solid, ball, half_space };
   Kind kind = Kind::tetrahedron;
   std::uint32_t body = 0;
-  /// Tells shapes apart from tick to tick, ascending with the row.
+  /// Identifies the shape from tick to tick, ascending with the row.
   std::uint64_t key = 0;
   /// Of a tetrahedron, m; the first is the centre of a ball.
   std::array<Vec3, 4> corner = {Vec3(0, 0, 0), Vec3(0, 0, 0), Vec3(0, 0, 0), Vec3(0, 0, 0)};
@@ -44,16 +44,16 @@ struct RubbleShape {
   Vec3 normal{0, 0, 1};              ///< of a half-space, out of the solid, through the centre
 };
 
-/// Two faces that were one, of tetrahedra of two bodies: their corners meet, without any search,
-/// until they have parted or slid by `reach`.
+/// Two faces that were one, of tetrahedra of two bodies: their corners are in contact, without any
+/// search, until they have parted or slid by `reach`.
 struct RubblePartner {
   std::uint32_t shape_a = 0, shape_b = 0;  ///< rows
   std::array<std::uint8_t, 3> corner_a{}, corner_b{};  ///< of the shapes; k meets k
-  std::array<std::uint32_t, 3> point{};    ///< names of the corners, to tell faces that share one
+  std::array<std::uint32_t, 3> point{};    ///< corner names; faces with a common corner share it
   double reach = 0;                        ///< m
 };
 
-/// What points of contact keep from tick to tick.
+/// The memory of contact points from tick to tick.
 struct RubbleMemory {
   struct Point {
     std::uint64_t a = 0, b = 0;  ///< keys of shapes
@@ -68,31 +68,31 @@ struct RubbleMemory {
 /// How a tick is taken.
 struct RubbleSettings {
   double length = 1.0 / 240;  ///< s
-  /// At least; towers of more than ten bodies take twice as many, of more than twenty four times,
+  /// At least. Towers of more than ten bodies take twice as many, of more than twenty four times,
   /// and so on to 32 times.
   int sub_steps = 4;
   Vec3 gravity{0, 0, 0};      ///< m/s^2
   double slop = 1e-5;         ///< m, overlap that is left alone
-  double still_speed = 1e-4;  ///< m/s, slower than which a point of the surface is still
-  double sleep_after = 0.1;   ///< s, after which what is still among what is still sleeps; 0: never
+  double still_speed = 1e-4;  ///< m/s, below which a point of the surface is still
+  double sleep_after = 0.1;   ///< s, until a body still among still bodies sleeps; 0: never
   unsigned threads = 1;
 };
 
-/// What a tick did.
+/// The result of a tick.
 struct RubbleReport {
   std::uint32_t awake = 0, asleep = 0;       ///< bodies with a mass, at the end
   std::uint32_t sub_steps = 0, layers = 0;   ///< taken; bodies upon each other, at most
-  std::uint32_t pairs = 0;                   ///< of shapes whose boxes overlap
+  std::uint32_t pairs = 0;                   ///< of shapes with overlapping boxes
   std::uint32_t manifolds = 0, points = 0;   ///< of those that push
   double deepest = 0;                        ///< m, overlap where patches were found
   double gravity_work = 0;                   ///< J, sum m g . dx
   double contact_work = 0;                   ///< J, each impulse times the mean velocity of its place
   double numerical = 0;  ///< J, taken by the scheme: weight on bodies in contact falls a sub-step late
-  double sleep_energy = 0;                   ///< J, of what fell asleep
+  double sleep_energy = 0;                   ///< J, of bodies that fell asleep
   Impulse gravity = Impulse::Zero();         ///< of weight, about the origin
-  Impulse contact = Impulse::Zero();         ///< of all contact: what driven and sleeping bodies gave
-  Impulse sleep = Impulse::Zero();           ///< what bodies had that fell asleep
-  /// Impulse of contact on bodies without `in_ledger`. Row = body. Empty where nothing moved.
+  Impulse contact = Impulse::Zero();         ///< of all contact: by driven and sleeping bodies
+  Impulse sleep = Impulse::Zero();           ///< momenta of bodies that fell asleep
+  /// Impulse of contact on bodies without `in_ledger`. Row = body. Empty if nothing moved.
   std::vector<Impulse> given;
   double narrow_ms = 0, broad_ms = 0, solve_ms = 0;  ///< wall time
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Boxes, pairs, manifolds, and what the same manifolds had in the last tick.
+// Boxes, pairs, manifolds, and the impulses of the same manifolds in the last tick.
 #include "mechanics/rubble/rubble_find.hpp"
 
 #include <algorithm>
@@ -39,8 +39,9 @@ FindScratch::Turn turn_of(const FindInput& input, std::uint32_t row) {
   return turn;
 }
 
-/// What turning adds to the way of a part with its centre at `arm`, and to what it may reach beside
-/// it: the height of the arc over its chord, and turning about its own centre.
+/// Adds the effect of turning to the way of a part with its centre at `arm`, and to its reach
+/// across the way. The latter is the height of the arc over its chord, and turning about its own
+/// centre.
 void add_turn(Vec3& way, double& beside, const FindScratch::Turn& turn, const Vec3& arm,
               double radius) {
   way += turn.chord * arm;
@@ -168,13 +169,14 @@ class Walk {
   std::vector<Row>::const_iterator at_, end_;
 };
 
-/// m; of what has no mass as much as one likes.
+/// m; infinite for bodies without mass.
 double radius_of(const FindInput& input, std::uint32_t body) {
   const RubbleBody& b = input.bodies[body];
   return b.mass > 0 ? b.radius : std::numeric_limits<double>::infinity();
 }
 
-/// What points had in the last tick: those of the same two shapes that are nearest, each once.
+/// Impulses of points in the last tick: of the nearest points of the same two shapes, each used
+/// once.
 void take_memory(RubblePatch& patch, const FindInput& input, const RubbleMemory& memory) {
   const auto key_of = [](const RubbleMemory::Point& q) { return std::pair(q.a, q.b); };
   std::vector<const RubbleMemory::Point*> used;
@@ -202,7 +204,7 @@ void take_memory(RubblePatch& patch, const FindInput& input, const RubbleMemory&
 }  // namespace
 
 Approach approach_of(const FindScratch& scratch, const FindInput& input, const RowPair& pair) {
-  // Where the smaller one is: who turns with the other comes no nearer.
+  // At the centre of the smaller one: a part that turns with the other comes no nearer.
   const auto [i, j] = pair;
   const std::uint32_t small = scratch.radius[i] < scratch.radius[j] ? i : j;
   const Vec3& at = scratch.centre[small];

@@ -38,7 +38,7 @@ struct FindScratch {
   std::vector<Axis> axes, last_axes;
 };
 
-/// What may touch within `time` s.
+/// Input of the search for shapes that may touch within `time` s.
 struct FindInput {
   std::span<const RubbleBody> bodies;
   std::span<const MovingBody> moving;
@@ -54,7 +54,7 @@ Approach approach_of(const FindScratch& scratch, const FindInput& input, const R
 /// A manifold of two shapes, A's side the first, as a patch: of the lower body against the other.
 RubblePatch patch_of(const FindInput& input, const RowPair& pair, const Manifold& manifold);
 
-/// Pairs whose boxes, widened by the ways of their bodies, overlap: into `scratch.pairs`.
+/// Pairs with overlapping boxes, widened by the ways of their bodies: into `scratch.pairs`.
 void find_pairs(FindScratch& scratch, const FindInput& input);
 
 /// Patches of those pairs with at least one point, those of two bodies merged (`merge_patches`),

@@ -12,8 +12,8 @@ namespace sunder {
 /// everywhere nor slid anywhere by their reach. O(partners). Needs: solids of `find_pairs`.
 void find_facing(FindScratch& scratch, const FindInput& input);
 
-/// Whether two shapes touch by faces that still face their partners, which share a point of the
-/// mesh: then what they have is the contact of those partners.
+/// Whether two shapes touch by faces that still face their partners and share a point of the mesh.
+/// Their contact is then that of the partners.
 bool touch_as_partners(const FindScratch& scratch, const FindInput& input, const RowPair& pair);
 
 /// Appends a patch for each pair of partners that face each other and may touch: their corners, with

@@ -25,7 +25,7 @@ void drag(MovingBody& a, MovingBody& b, const RubblePatch& patch, const Vec3& im
   b.spin -= b.inverse_inertia * (patch.arm_b.cross(impulse) + twist * patch.normal);
 }
 
-/// What a unit impulse along `way` does to the relative velocity along it, 1/kg.
+/// Change of the relative velocity along `way` by a unit impulse along it, 1/kg.
 double answer(const MovingBody& a, const MovingBody& b, const Vec3& arm_a, const Vec3& arm_b,
               const Vec3& way) {
   const Vec3 ra = arm_a.cross(way), rb = arm_b.cross(way);

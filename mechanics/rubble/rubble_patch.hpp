@@ -25,11 +25,11 @@ struct RubblePatch {
   struct Point {
     Vec3 local_a, local_b;    ///< in the bodies' own axes, about their centres, m
     Vec3 arm_a{0, 0, 0}, arm_b{0, 0, 0};    ///< of the place at which both are pushed, world, m
-    Vec3 turn_a{0, 0, 0}, turn_b{0, 0, 0};  ///< what a unit impulse does to the spins
+    Vec3 turn_a{0, 0, 0}, turn_b{0, 0, 0};  ///< change of the spins by a unit impulse
     double separation = 0;    ///< m
-    double response = 0;      ///< kg: over what a unit impulse does to the approach
+    double response = 0;      ///< kg: inverse of the change of the approach by a unit impulse
     double impulse = 0;       ///< N s, of this sub-step
-    std::uint32_t shape_a = 0, shape_b = 0;  ///< whose it is
+    std::uint32_t shape_a = 0, shape_b = 0;  ///< the two shapes of the point
   };
   std::uint32_t a = 0, b = 0;  ///< bodies
   Vec3 normal{0, 0, 1}, along{1, 0, 0}, across{0, 1, 0};
@@ -42,20 +42,20 @@ struct RubblePatch {
   double twist_impulse = 0;              ///< N m s, about the normal, on A
 };
 
-/// What the rows of a sweep ask for. Overlap goes away like that of a damped spring, implicit over
+/// Parameters of the rows of a sweep. Overlap decays like that of a damped spring, implicit over
 /// the sub-step: the stiffest that does not ring.
 struct SweepRule {
   double over_step = 0;  ///< 1/s, over the length of a sub-step
-  double rate = 0;       ///< 1/s, at which overlap beyond `slop` goes away; 0: not at all
+  double rate = 0;       ///< 1/s, at which overlap beyond `slop` decays; 0: not at all
   double share = 1;      ///< of the rigid response where there is overlap
   double leak = 0;       ///< of the impulse that was there
   double slop = 0;       ///< m
   double push = 0;       ///< m/s, at which it goes away at most
 };
 
-/// Pushes out what overlaps.
+/// Pushes overlaps out.
 SweepRule pushing_rule(double sub_step, double slop, double push);
-/// Lets be what overlaps, and stops what comes nearer.
+/// Leaves overlaps alone, and stops approaching points.
 SweepRule relaxing_rule(double sub_step);
 
 /// Arms and responses where the bodies are now.
@@ -64,7 +64,7 @@ void prepare_patches(std::span<RubblePatch> patches, std::span<const MovingBody>
 /// Gives bodies the impulses that patches have.
 void warm_start(std::span<const RubblePatch> patches, std::span<MovingBody> bodies);
 
-/// One sweep of all rows in `order`, and one back: what lies below bears what lies above.
+/// One sweep of all rows in `order`, and one back: lower bodies bear higher ones.
 void sweep_patches(std::span<RubblePatch> patches, std::span<const std::uint32_t> order,
                    std::span<MovingBody> bodies, const SweepRule& rule);
 

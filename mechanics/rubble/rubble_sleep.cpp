@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Who sleeps, and who wakes.
+// Falling asleep and waking.
 #include <algorithm>
 #include <utility>
 
@@ -32,7 +32,7 @@ void wake(Tick& tick, std::uint32_t row) {
   tick.scratch.moving[row] = moving_of(tick.bodies[row]);
 }
 
-/// Wakes whatever hangs together with `from` by boxes that overlap: a blow goes through all of it.
+/// Wakes all bodies connected with `from` by overlapping boxes: a blow goes through all of them.
 void wake_all_round(Tick& tick, std::vector<std::uint32_t> from) {
   FindScratch& find = tick.scratch.find;
   std::vector<RowPair> pairs;

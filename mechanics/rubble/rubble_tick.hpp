@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One tick at work: what its parts share. For the sources of this room only.
+// One tick at work: the data that its parts share. For the sources of this room only.
 #pragma once
 
 #include <algorithm>
@@ -44,11 +44,12 @@ struct Tick {
   double sub_step() const { return settings.length / sub_steps; }
 };
 
-/// Wakes what is touched by what is not still; by a blow, all that hangs together. Whether any was.
+/// Wakes bodies touched by others that are not still; after a blow, all bodies connected with them.
+/// Gives whether any woke.
 bool wake_touched(Tick& tick, double time);
 
-/// What lies still, and touches only what does, sleeps: one that spins keeps its neighbours awake
-/// and no others.
+/// Puts bodies to sleep that are still and touch only still bodies: a spinning body keeps its
+/// neighbours awake and no others.
 void put_to_sleep(Tick& tick);
 
 }  // namespace sunder

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// What building and extending a system share.
+// Common parts of building and extending a system.
 #pragma once
 
 #include "mechanics/solver/component_system.hpp"
 
 namespace sunder {
 
-/// All of a system that follows from its order: `local_row`, shape, K, what it was made of. Needs
+/// All parts of a system that follow from its order: `local_row`, shape, K, and its input. Needs
 /// `order` and `free_count`.
 void assemble_system(ComponentSystem& system, std::span<std::uint32_t> local_row,
                      const SystemInput& input);

@@ -144,7 +144,7 @@ std::vector<NodeRange> find_ranges(const Tree& tree) {
       const std::uint32_t above = tree.parent[last.end - 1];
       if (above == no_node || above >= range.end) break;
       const NodeRange both = merged(last, range);
-      // Columns one row shorter each make one supernode whatever their number.
+      // Columns one row shorter each make one supernode, for any number of them.
       if (both.zeros > last.zeros + range.zeros && !pays(both)) break;
       range = both;
       ranges.pop_back();

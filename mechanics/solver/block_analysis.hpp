@@ -10,7 +10,7 @@
 
 namespace sunder {
 
-/// Consecutive columns of L whose rows below them are (nearly) the same.
+/// Consecutive columns of L with (nearly) the same rows below them.
 struct Supernode {
   static constexpr std::uint32_t none = 0xffffffff;
   std::uint32_t first = 0, end = 0;              ///< columns, of vertices
@@ -22,7 +22,7 @@ struct Supernode {
   std::uint32_t height() const { return below_end - below_begin; }
 };
 
-/// What factors of one pattern share. Supernodes are in postorder: children before parents, and
+/// Common part of factors of one pattern. Supernodes are in postorder: children before parents, and
 /// the children of a supernode right before it, each with its own below it.
 struct BlockAnalysis {
   std::vector<std::uint32_t> order;  ///< vertex of the graph that is eliminated i-th
@@ -30,7 +30,7 @@ struct BlockAnalysis {
   std::vector<std::uint32_t> below;         ///< rows below each supernode's columns, ascending
   std::vector<std::uint32_t> supernode_of;  ///< of each column
   std::size_t panel_size = 0;               ///< doubles in a factor
-  std::size_t stack_size = 0;               ///< doubles that factoring needs beside it
+  std::size_t stack_size = 0;               ///< doubles that factoring needs in addition
 
   std::span<const std::uint32_t> rows_below(const Supernode& s) const {
     return {below.data() + s.below_begin, below.data() + s.below_end};

@@ -24,7 +24,7 @@ struct ShiftedMatrix {
   double mass, stiffness;
 };
 
-/// What factoring needs and can use again.
+/// Memory that factoring needs and can use again.
 struct FactorScratch {
   AlignedDoubles stack;
   std::vector<std::uint32_t> place;

@@ -37,7 +37,7 @@ double quadratic_form(const BlockMatrix& A, const double* x) {
   const double* block = A.value.data();
   double sum = 0;
   for (std::size_t j = 0; j < A.size(); ++j) {
-    // Half of the diagonal block, and what lies below it.
+    // Half of the diagonal block, and the blocks below it.
     double s0 = 0, s1 = 0, s2 = 0;
     const double half[3] = {0.5 * x[3 * j], 0.5 * x[3 * j + 1], 0.5 * x[3 * j + 2]};
     const double* y = half;

@@ -44,8 +44,8 @@ VertexGraph graph_of(const BlockMatrix& A, std::size_t count);
 /// The leading rows with row i as row `place[i]`. Rows of a column do not ascend.
 BlockMatrix renumbered(const BlockMatrix& A, std::span<const std::uint32_t> place);
 
-/// The block of two vertices in a factor: nothing in the rows and columns of held axes but, on the
-/// diagonal of the matrix, what stands on its own diagonal.
+/// Zeroes the rows and columns of held axes in the block of two vertices in a factor. A block on
+/// the diagonal of the matrix keeps its own diagonal.
 void leave_out(Eigen::Matrix3d& block, const std::array<bool, 3>& rows,
                const std::array<bool, 3>& columns, bool on_diagonal);
 

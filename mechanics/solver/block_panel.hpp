@@ -14,8 +14,8 @@ constexpr std::size_t tiles_of(std::size_t vertices) { return (vertices + 3) / 4
 
 /// Doubles in the panel of a supernode of `width` columns and `height` rows below, of vertices:
 /// tiles of its own rows, then tiles of the rows below. In a tile all 3 width columns follow each
-/// other, twelve rows each; rows that are none are zero. The diagonal holds reciprocals, and what
-/// lies above it is left undefined.
+/// other, twelve rows each; rows past the end are zero. The diagonal holds reciprocals, and the
+/// part above it is left undefined.
 constexpr std::size_t panel_doubles(std::size_t width, std::size_t height) {
   return (tiles_of(width) + tiles_of(height)) * tile_rows * 3 * width;
 }
@@ -43,13 +43,13 @@ struct Panel {
   }
 };
 
-// All sums run over columns in one order whatever the processor: vector lanes are rows, or
-// right-hand sides, and independent of each other.
+// All sums run over columns in one order on every processor: vector lanes are rows, or right-hand
+// sides, and independent of each other.
 
 /// Turns the assembled panel into its part of L; false where a pivot is not positive.
 bool factor_panel(const Panel& panel);
 
-/// U -= L21 L21^T, lower triangle; what lies above it is left undefined.
+/// U -= L21 L21^T, lower triangle; the part above it is left undefined.
 void subtract_outer(double* update, const Panel& panel);
 
 /// x of the supernode's columns <- L11^-1 x, and x of the rows below -= L21 x. `x`: all rows.

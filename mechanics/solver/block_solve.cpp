@@ -14,7 +14,7 @@ struct alignas(32) TileNumbers {
   double value[12] = {};
 };
 
-/// Columns whose sums are kept at a time on the way back: their lanes stay in the first cache.
+/// Columns with sums that are kept at a time on the way back: their lanes stay in the first cache.
 constexpr std::size_t backward_chunk = 48;
 
 /// sum += tile's columns `begin` to `end` times x, in two interleaved sums of fixed order.
@@ -61,7 +61,7 @@ SUNDER_INLINE void solve_corner(double* x, const double* L, std::size_t n) {
   std::copy(x, x + n, y.value);
   for (std::size_t j = 0; j < n; ++j, L += 12) {
     const double value = y.value[j] * L[j];
-    // Whole columns: what lies above the diagonal only spoils what is finished.
+    // Whole columns: entries above the diagonal only spoil finished values.
     for (std::size_t i = 0; i < 12; ++i) y.value[i] -= L[i] * value;
     x[j] = value;
   }

@@ -16,7 +16,7 @@
 
 namespace sunder {
 
-/// A = mass M + stiffness K: what every second-order implicit scheme solves with, constant in the
+/// A = mass M + stiffness K: the matrix of every second-order implicit scheme, constant in the
 /// component's frame for one step size.
 struct SystemMatrix {
   double mass = 1;       ///< no unit
@@ -24,12 +24,12 @@ struct SystemMatrix {
   friend bool operator==(const SystemMatrix&, const SystemMatrix&) = default;
 };
 
-/// The factor of one A with what has been asked of its inverse.
+/// The factor of one A with the parts of its inverse computed so far.
 struct SystemFactor {
   BlockFactor factor;
   BorderFactor border;
   bool factored = false;
-  SystemMatrix matrix;  ///< what `factor` holds, when factored
+  SystemMatrix matrix;  ///< matrix of `factor`, when factored
 
   /// Compliance cache: the local vertices touched so far and A^-1 between them, 3 k x 3 k.
   std::vector<std::uint32_t> touched;
@@ -59,7 +59,7 @@ struct ComponentSystem {
 
   SystemFactor step;
 
-  /// What it was made of, so that a later split can tell which vertices are copies of which.
+  /// Its input, by which a later split identifies copies and their originals.
   std::vector<TetId> tetrahedra;
   std::vector<Corners> corners;
   std::vector<EdgeNodes> edge_nodes;  ///< empty where all are of first order
@@ -76,7 +76,7 @@ struct BorderLimits {
   static constexpr std::uint32_t age = 100;
 };
 
-/// What systems are made of.
+/// The input of systems.
 struct SystemInput {
   const MechanicsState& state;
   std::span<const Corners> corners;  ///< |T|
@@ -89,10 +89,11 @@ void build_system(ComponentSystem& system, std::span<std::uint32_t> local_row,
                   const MechanicsState& state, std::span<const Corners> corners,
                   const Component& component);
 
-/// What `build_system` makes, with the factor of `old` serving on under a border: `old` is the
-/// system of the same component before vertices of it split or pieces came off it. False, and
-/// `system` is unfinished, where that cannot be or would not pay: too many copies (`BorderLimits`),
-/// more than half gone, no factor, or other vertices held. Takes what it needs out of `old`.
+/// Gives the result of `build_system`, but the factor of `old` serves on under a border. `old` is
+/// the system of the same component before vertices of it split or pieces came off it. False, with
+/// `system` unfinished, where that cannot be or would not pay: too many copies (`BorderLimits`),
+/// more than half gone, no factor, or other vertices held. Moves the parts that it needs out of
+/// `old`.
 bool extend_system(ComponentSystem& system, ComponentSystem& old,
                    std::span<std::uint32_t> local_row, const SystemInput& input);
 
@@ -101,11 +102,11 @@ bool extend_system(ComponentSystem& system, ComponentSystem& old,
 void factor_system(ComponentSystem& system, const SystemMatrix& matrix);
 
 /// x <- A^-1 x over the free vertices (3 free_count rows, any number of columns), in place; zero at
-/// `held_scalars`, whatever stood there. Becomes NaN where A was not positive definite, which only
+/// `held_scalars`, for any input there. Becomes NaN where A was not positive definite, which only
 /// an overflow can bring about.
 void solve_system(const ComponentSystem& system, Eigen::Ref<Eigen::MatrixXd> x);
 
-/// Marks what the rows of free vertices (local) depend on: their supernodes and all above.
+/// Marks the supernodes on which the rows of free vertices (local) depend: their own and all above.
 void mark_supernodes(std::vector<char>& marked, const ComponentSystem& system,
                      std::span<const std::uint32_t> vertices);
 
@@ -113,8 +114,8 @@ void mark_supernodes(std::vector<char>& marked, const ComponentSystem& system,
 void multiply_stiffness(Eigen::Ref<Eigen::VectorXd> y, const ComponentSystem& system,
                         const Eigen::Ref<const Eigen::VectorXd>& x);
 
-/// Up to four vertices whose columns of A^-1 are solved for together: twelve right-hand sides fill
-/// the registers.
+/// Up to four vertices with columns of A^-1 that are solved for together: twelve right-hand sides
+/// fill the registers.
 struct ColumnBlock {
   static constexpr std::uint32_t size = 4;
   ComponentSystem* system = nullptr;

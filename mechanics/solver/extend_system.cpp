@@ -15,8 +15,8 @@ constexpr std::uint32_t no_row = Supernode::none;
 /// Row = VertexId: its extended row, or none.
 using ExtendedRows = std::vector<std::uint32_t>;
 
-/// Gives every vertex that stands where a vertex of the old system stood a row of its own, and
-/// notes whose copy it is.
+/// Gives every vertex at the place of a vertex of the old system a row of its own, and notes the
+/// original of each copy.
 void find_copies(ComponentSystem& old, ExtendedRows& rows, const SystemInput& input) {
   for (std::size_t r = 0; r < old.row_vertex.size(); ++r) {
     rows[old.row_vertex[r].index()] = static_cast<std::uint32_t>(r);

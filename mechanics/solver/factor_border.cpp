@@ -12,7 +12,7 @@ namespace {
 using Eigen::Index;
 using Twelve = Eigen::Matrix<double, 12, 12, Eigen::RowMajor>;
 
-/// Loads of vertices become loads of the unknowns: what a copy bears its origin bears too.
+/// Loads of vertices become loads of the unknowns: the origin bears the load of its copies too.
 void fold(double* x, const FactorBorder& border, std::size_t lanes) {
   const std::size_t block = 3 * lanes;
   for (std::size_t c = border.columns.size(); c-- > 0;) {
@@ -112,7 +112,7 @@ bool grow_corner(BorderFactor& part, const BorderFactor::Block& block,
   return true;
 }
 
-/// z <- what the corner's factor makes of it.
+/// z <- the solution with the corner's factor.
 template <class Z>
 void solve_corner(Z& z, const BorderFactor& part) {
   const auto size = static_cast<Index>(3 * part.copies);

@@ -12,9 +12,9 @@
 namespace sunder {
 
 /// Copies of vertices that came after a factor was made, in extended rows: those of the factor
-/// first, then one a copy. With x_copy = x_origin + delta as unknowns the old matrix is the leading
-/// block of the new one (docs/explanation/theory.md, The factor), for whatever came off too: what
-/// belongs to other components by now has no load and no say.
+/// first, then one per copy. With x_copy = x_origin + delta as unknowns the old matrix is the
+/// leading block of the new one (docs/explanation/theory.md, The factor). Vertices that came off
+/// may stay: a vertex of another component has no load and no influence.
 struct FactorBorder {
   /// One block column of the new matrix in those unknowns.
   struct Column {
@@ -34,7 +34,7 @@ struct FactorBorder {
 void add_block(const FactorBorder& border, FactorBorder::Column& column, std::uint32_t row,
                const Eigen::Matrix3d& block);
 
-/// The border's part of one factor: W = L^-1 B, and the factor of what is left in the corner.
+/// The border's part of one factor: W = L^-1 B, and the factor of the remaining corner.
 struct BorderFactor {
   /// Four copies at a time: 3 base rows of twelve numbers.
   struct Block {

@@ -15,12 +15,12 @@
 
 namespace sunder {
 
-/// Calls `work(item, worker)` once for every item below `count`, on at most `threads` threads; the
-/// caller's is worker 0 (fewer where the system gives no more threads), and items are handed out in
-/// rising order. The items must neither write what others read nor add to common sums: then results
-/// are the same bytes on any number of threads. Threads live for this call (up to 90 microseconds
-/// each), so it pays from a millisecond of work on. What an item throws is thrown on when all have
-/// stopped. Where the build has no threads (SUNDER_SERIAL) the caller does all.
+/// Calls `work(item, worker)` once for every item below `count`, on at most `threads` threads
+/// (fewer where the system gives no more). The caller's is worker 0, and items are handed out in
+/// rising order. No item may write data that others read, or add to common sums: then results are
+/// the same bytes on any number of threads. Threads live for this call (up to 90 microseconds
+/// each), so it pays from a millisecond of work on. An exception of an item is thrown on when all
+/// have stopped. Where the build has no threads (SUNDER_SERIAL) the caller does all.
 template <class Work>
 void parallel_for(unsigned threads, std::size_t count, const Work& work) {
 #if defined(SUNDER_SERIAL)

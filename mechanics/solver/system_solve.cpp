@@ -79,7 +79,7 @@ void solve_extended(double* x, const ComponentSystem& system, const SystemFactor
 
 void factor_system(ComponentSystem& system, const SystemMatrix& matrix) {
   SystemFactor& own = system.step;
-  // Copies, or rows of what came off: no order of elimination for the system as it is.
+  // With copies, or rows of vertices that came off, the present system has no order of elimination.
   const bool is_extended =
       !system.border.columns.empty() || factor_rows(system) != system.free_count;
   bool serves = own.factored && own.matrix == matrix;

@@ -37,13 +37,13 @@ struct RaisedVelocity {
   double ramp_time = 0;          ///< s; 0: at once
 };
 
-/// What holds a vertex: it is fixed (zero velocity) or moves along a straight line.
+/// The motion of a held vertex: it is fixed (zero velocity) or moves along a straight line.
 struct PrescribedMotion {
   /// m/s, world; nothing along axes that are free. While it is raised: its mean over the part of a
   /// step at hand.
   Vec3 velocity = Vec3::Zero();
   AxisSet axes = {true, true, true};  ///< along which it is held
-  /// What adds up to it, where some of that is raised; empty: constant.
+  /// The parts that add up to `velocity`, if some of them are raised; empty: constant.
   std::vector<RaisedVelocity> raised = {};
 };
 
@@ -73,7 +73,7 @@ struct ElementColumns {
   std::vector<double> rest_volume;            ///< m^3, positive
   std::vector<double> mass;                   ///< kg
   std::vector<MaterialId> material;
-  /// Written by whoever splits (fracture); `rebuild` carries it over to the vertices.
+  /// Written by the code that splits (fracture); `rebuild` carries it over to the vertices.
   std::vector<ComponentId> component;
   /// Pa, symmetric, body frame, tension positive; the mean over a tetrahedron of second order.
   std::vector<Mat3> stress;

@@ -11,7 +11,7 @@
 
 namespace sunder {
 
-/// What a measure of element stresses changed in a component's strain energy, J.
+/// Change of a component's strain energy by a measure of element stresses, J.
 struct StrainChange {
   double before = 0, after = 0;
   double difference = 0;  ///< Dd . K Dd: twice the energy of the difference of the stresses
@@ -41,7 +41,7 @@ struct Component {
   bool partly_held = false;            ///< holds one that is held along one or two axes only
   Vec3 frame_velocity = Vec3::Zero();  ///< m/s; the frame of a supported component moves with it
   /// A rigid body at all times, of its rest shape, with six degrees of freedom and no finite
-  /// elements: one free tetrahedron, or what `turn_rigid` made so.
+  /// elements. It is one free tetrahedron, or a component changed by `turn_rigid`.
   bool rigid = false;
   Rung rung = Rung::full;
   /// rad: largest turn of a tetrahedron against the frame when its stress was last computed (size

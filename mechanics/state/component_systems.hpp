@@ -21,8 +21,8 @@ struct ComponentSystems {
   ComponentSystems& operator=(ComponentSystems&&) noexcept;
   ~ComponentSystems();
 
-  /// Row = ComponentId; null until needed.
-  /// `retired`: the one before its last split, whose factors may serve on (`extend_system`).
+  /// Row = ComponentId; null until needed. `retired`: the system before its last split, with
+  /// factors that may serve on (`extend_system`).
   std::vector<std::unique_ptr<ComponentSystem>> present, retired;
   /// Row = VertexId: its place in `ComponentSystem::order`; valid for components with a system.
   std::vector<std::uint32_t> local_row;

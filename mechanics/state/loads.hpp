@@ -13,11 +13,12 @@ namespace sunder {
 
 struct Loads;
 
-/// A force on one node of a tetrahedron. A vertex feels the sum over the corners of its star, so
-/// when it splits every copy keeps what acts on its own side.
+/// A force on one node of a tetrahedron. The force on a vertex is the sum over the corners of its
+/// star. So when it splits every copy keeps the forces on its own side.
 struct CornerLoad {
   CornerId corner;
-  /// Place of the edge, with an end at the corner, whose middle it acts on; -1: on the corner.
+  /// Place of the edge, with an end at the corner, on the middle of which it acts; -1: on the
+  /// corner.
   int edge = -1;
   Vec3 force = Vec3::Zero();  ///< N, once fully raised; world, or the body frame where it turns
   /// Turns with the frame of the corner's component (pressure); else it keeps its direction.
@@ -41,17 +42,17 @@ Vec3 force_at(const CornerLoad& load, double time, const Eigen::Quaterniond& ori
 std::array<CornerLoad, 3> face_pressure(const ElementColumns& elements, TetId t, int place,
                                         double pressure);
 
-/// A force on vertex `v` as corner loads of its `star`, in the ratio of what each tetrahedron gives
-/// to the vertex's mass. `force`: N, world. Appends to `loads`.
+/// A force on vertex `v` as corner loads of its `star`, in the ratio of the tetrahedra's shares of
+/// the vertex's mass. `force`: N, world. Appends to `loads`.
 void add_vertex_force(std::vector<CornerLoad>& loads, const MechanicsState& state,
                       std::span<const CornerId> star, const Vec3& force);
 
-/// Adds what `loads` are at `time` (s; infinite: fully raised) to `force` (N, world, |V| rows,
-/// resized with zeros). `corners`: |T|, as they are now. O(loads).
+/// Adds `loads` at `time` (s; infinite: fully raised) to `force` (N, world, |V| rows, resized with
+/// zeros). `corners`: |T|, as they are now. O(loads).
 void add_corner_loads(std::vector<Vec3>& force, std::span<const CornerLoad> loads,
                       const MechanicsState& state, std::span<const Corners> corners, double time);
 
-/// The same, told apart: what turns with its body goes into `sum.turning` too.
+/// The same, separated: loads that turn with their body go into `sum.turning` too.
 void add_corner_loads(Loads& sum, std::span<const CornerLoad> loads, const MechanicsState& state,
                       std::span<const Corners> corners, double time);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What evolves: columns, components and their frames.
+// The evolving state: columns, components and their frames.
 #pragma once
 
 #include <vector>

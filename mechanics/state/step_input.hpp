@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a step is given beside the state: loads, settings, which part of a step, and what it moves.
+// The input of a step besides the state: loads, settings, the part of a step, and its members.
 #pragma once
 
 #include <array>
@@ -16,23 +16,23 @@ namespace sunder {
 
 struct ImpactSettings;
 
-/// What acts during one step from outside, constant over the step.
+/// Loads from outside during one step, constant over the step.
 struct Loads {
   Vec3 gravity = Vec3::Zero();   ///< m/s^2
   std::vector<Vec3> force = {};  ///< N, world, |V| rows; empty: none
   /// Which part of `force` turns with its body during the step, as pressure does, so that its
   /// moment stays what it was at the start; the rest keeps its direction. |V| rows; empty: none.
   std::vector<Vec3> turning = {};
-  /// Gravity changes velocities at the start of the step instead of bending paths to parabolas: for
-  /// what contact presses, whose rest would otherwise be a saw-tooth of +- g h / 2. For implicit
-  /// Euler; others take no note of it.
+  /// Gravity changes velocities at the start of the step instead of bending paths to parabolas.
+  /// This is for bodies pressed by contact, with a rest that would otherwise be a saw-tooth of
+  /// +- g h / 2. For implicit Euler; others ignore it.
   bool weight_at_start = false;
 };
 
 /// How deformations go through a step of floating_frame, or through a part of one.
 enum class Deformation {
   whole,     ///< by generalised-alpha
-  frozen,    ///< not at all: the frame moves alone; what is pulled (`is_pulled`) catches up
+  frozen,    ///< not at all: the frame moves alone; pulled components (`is_pulled`) catch up
   catch_up,  ///< by generalised-alpha over the whole step, in a part that may be shorter
   wave,      ///< by explicit steps (mechanics/contact/waves/)
 };
@@ -43,10 +43,10 @@ struct StepPart {
   double whole_step = 0;  ///< s, for `catch_up` and `frozen`
   /// Given, contact looks out for blows (`advance_with_contact`).
   const ImpactSettings* impact = nullptr;
-  /// Beside `impact`: lowest tensile strength in each component, Pa; |C|.
+  /// With `impact`: lowest tensile strength in each component, Pa; |C|.
   std::span<const double> strength = {};
-  /// Beside `impact`: J that a component must hold before it can break, |C|. Blows that cannot
-  /// bring it so far are none. Empty: every blow counts.
+  /// With `impact`: J that a component must hold before it can break, |C|. Blows below it do not
+  /// count. Empty: every blow counts.
   std::span<const double> threshold = {};
   /// Of a wave: cells get the viscosity C = this times `Component::cell_travel` times K, but at most
   /// half of critical damping. It keeps wave fronts from overshooting on a mesh, as the linear bulk
@@ -61,17 +61,16 @@ struct StepPart {
   bool divides = false;
 };
 
-/// What a step moves, by rows of components and obstacles: 0 keeps still and meets nothing.
-/// Empty: everything moves.
+/// The members of a step, by rows of components and obstacles: a row of 0 keeps still and meets
+/// nothing. Empty: everything moves.
 struct StepMembers {
   std::span<const char> component, ball;
   bool has(ComponentId id) const { return component.empty() || component[id.index()] != 0; }
   bool has_ball(std::size_t row) const { return ball.empty() || ball[row] != 0; }
 };
 
-/// What acts on the state in one step; nothing in it is changed. The spans and references must
-/// outlive the call. Parts and members are for whoever divides steps
-/// (fracture/simulation/plan.hpp).
+/// The input of one step, which does not change. The spans and references must outlive the call.
+/// Parts and members are for callers that divide steps (fracture/simulation/plan.hpp).
 struct StepInput {
   std::span<const Corners> corners;  ///< |T|
   const Loads& loads;
@@ -86,8 +85,8 @@ struct StepInput {
   /// Threads that factors and columns of the inverse are made on. Results are the same bytes for
   /// any number.
   unsigned threads = 1;
-  /// Given, a wave asks it after each of its sub-steps but the last. True: the part ends
-  /// there. Displacements, element stresses and the time are then those of the moment.
+  /// Given, a wave calls it after each of its sub-steps but the last. True: the part ends there.
+  /// Displacements, element stresses and the time are then those of the moment.
   const std::function<bool()>* ends = nullptr;
   /// Given and true: iterations end where they are.
   const std::atomic<bool>* hurry = nullptr;

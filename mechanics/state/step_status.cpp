@@ -27,7 +27,7 @@ Finding to_finding(const StepStatus& status) {
   char text[200];
   char shorter[120];
   if (status.turned > M_PI) {
-    // Half a turn per step: what an extrapolation through the step can follow.
+    // Half a turn per step: the limit of an extrapolation through the step.
     std::snprintf(shorter, sizeof shorter,
                   "Take a time_step below %.3g s: the component turns by %.3g rad within %.3g s.",
                   status.time_step * M_PI / status.turned, status.turned, status.time_step);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Velocities of held vertices, and what supports leave free.
+// Velocities of held vertices, and the motions that supports leave free.
 #include "mechanics/state/supports.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What holds vertices, axis by axis of the body frame.
+// Supports of vertices, axis by axis of the body frame.
 #pragma once
 
 #include "mechanics/state/mechanics_state.hpp"
@@ -12,7 +12,7 @@ inline AxisSet held_axes(const MechanicsState& state, VertexId vertex) {
   return motion.is_none() ? AxisSet{} : state.motions[motion.index()].axes;
 }
 
-/// Whether a vertex is held along all axes: it has no row in what is solved.
+/// Whether a vertex is held along all axes: it has no row in the solved system.
 inline bool is_held_whole(const MechanicsState& state, VertexId vertex) {
   return held_axes(state, vertex) == AxisSet{true, true, true};
 }
@@ -39,11 +39,12 @@ Vec3 mean_velocity(const PrescribedMotion& motion, double start, double end);
 bool is_raised(const MechanicsState& state, const Component& component);
 
 /// For a part of a step from `state.time` to `end`: every velocity that is raised takes its mean
-/// over it. Those who are held follow with `follow_supports`.
+/// over it. Held vertices follow with `follow_supports`.
 void raise_supports(MechanicsState& state, double end);
 
 /// Gives the held vertices of a component the velocities of their motions, and its frame that of
-/// the first of them: a blow, in which nothing else moves. J: what the supports did. O(vertices).
+/// the first of them. This is a blow, in which nothing else moves. Gives the work of the supports,
+/// J. O(vertices).
 double follow_supports(MechanicsState& state, ComponentId id);
 
 /// Whether supports leave a component no rigid motion, to 3e-5 of its size, where some of its

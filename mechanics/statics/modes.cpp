@@ -50,7 +50,7 @@ MatrixXd rigid_motions(const Problem& problem) {
   }
   MatrixXd allowed = MatrixXd::Identity(6, 6);
   if (all > free) {
-    // The kernel of what the held vertices would do; 1e-6 of the body's size as in is_fixed.
+    // The kernel of the motion of the held vertices; 1e-6 of the body's size as in is_fixed.
     const Eigen::JacobiSVD<MatrixXd> held(motion.bottomRows(3 * (all - free)), Eigen::ComputeFullV);
     const auto rank = (held.singularValues().array() > 1e-6).count();
     allowed = held.matrixV().rightCols(6 - rank);
@@ -62,7 +62,7 @@ MatrixXd rigid_motions(const Problem& problem) {
 }
 
 void project_out(VectorXd& y, const MatrixXd& found) {
-  // Twice is enough (Kahan): once leaves what cancellation spoils.
+  // Twice is enough (Kahan): after one pass errors from cancellation remain.
   for (int pass = 0; pass < 2; ++pass) y -= found * (found.transpose() * y);
 }
 

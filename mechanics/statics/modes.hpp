@@ -24,12 +24,12 @@ struct Modes {
 };
 
 /// The rigid modes of `component` and its `count` lowest others, fewer where it has fewer degrees
-/// of freedom. Lanczos on the inverse (Spectra) with the component's own factor, rigid motions
-/// projected out, so that a free body needs no shift near an eigenvalue; then Sylvester's law
-/// counts the negative pivots of K - s M just above the last mode, and what Lanczos missed of equal
-/// frequencies is looked for until the count agrees. Errors: "modes_not_found" when it does not.
-/// Leaves another factor in the state; the next step factors anew.
-/// Cost: two factors and some 3 `count` solves.
+/// of freedom. Lanczos on the inverse (Spectra) uses the component's own factor, with rigid motions
+/// projected out, so that a free body needs no shift near an eigenvalue. Then Sylvester's law
+/// counts the negative pivots of K - s M just above the last mode. Modes of equal frequencies that
+/// Lanczos missed are searched for until the count agrees. Errors: "modes_not_found" when it does
+/// not. Leaves another factor in the state; the next step factors again. Cost: two factors and some
+/// 3 `count` solves.
 Result<Modes> natural_modes(MechanicsState& state, std::span<const Corners> corners,
                             ComponentId component, std::size_t count);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The linear irreversible law of ties: rigid up to a strength, softening from there to nothing;
-// what has opened in part unloads and loads again through the origin.
+// The linear irreversible law of ties: rigid up to a strength, softening from there to zero. A
+// partly opened tie unloads and loads again through the origin.
 #pragma once
 
 #include "mechanics/ties/tie.hpp"
@@ -37,7 +37,7 @@ double mode_ratio_of_traction(const Vec3& traction, const Vec3& normal, const Sh
 double traction_at(const TieCorner& corner, double opening);
 
 /// Pa: mean of `traction_at` over the openings from the largest so far to `opening`, if that is
-/// more; a force of that size takes just the energy that the law asks for.
+/// more. A force of that size takes exactly the energy of the law.
 double mean_traction(const TieCorner& corner, double opening);
 
 /// N/m: secant through the origin along which the corner unloads when opened along the normal;

@@ -61,19 +61,20 @@ double deformation_loss(const AdoptedPart& part, const Component& component) {
     step.shift = component.orientation.conjugate() *
                  (component.centre - before.centre[component.id.index()] - carried);
   }
-  // Equilibrium at the end under the loads of the whole way: they give what strain does not take.
+  // Equilibrium at the end under the loads of the whole way: their work exceeds the change of
+  // strain.
   if (component.rung == Rung::quasi_static) return 0.5 * step.stiffness_difference;
   return numerical_loss(*system, deformation_settings(input, m, component), step);
 }
 
-/// Of a free frame. Contact is a blow at the start, weight and loads with it, and the way of the step
-/// is that of the velocity after it: the stop takes what is between.
+/// Loss of a free frame. Contact, gravity and loads are an impulse at the start, and the frame
+/// moves at the velocity after it. The inelastic stop takes the difference.
 double frame_loss(const AdoptedPart& part, const Component& component) {
   const PartStart& before = part.before;
   const std::size_t row = component.id.index();
   if (!is_struck(part.result.touched, row)) return 0;
   const Vec3 change = component.momentum - before.momentum[row];
-  // A rigid body takes its blows as it is turned at the start, and then turns freely.
+  // A rigid body takes its impulses in the orientation of the start, and then turns freely.
   const Eigen::Quaterniond& R = component.rigid ? before.orientation[row] : component.orientation;
   const Vec3 turn =
       R.conjugate() * (component.angular_momentum - before.angular_momentum[row]);
@@ -166,8 +167,8 @@ void add_contact_work(EnergyLedger& ledger, const AdoptedPart& part) {
   }
 }
 
-/// Supports that move: what they give the frame as a whole, and what they give vertices that move
-/// against the frame, by the forces K d - f where the scheme balances them.
+/// Work of moving supports: on the frame as a whole, and on vertices that move against the frame.
+/// The latter is by the forces K d - f where the scheme balances them.
 void add_support_work(EnergyLedger& ledger, const AdoptedPart& part, const Component& component) {
   const StepInput& input = part.input;
   const MechanicsState& m = part.state.mechanics;

@@ -7,7 +7,7 @@
 
 namespace sunder {
 
-/// Remembers the state before a part of a step: what `add_part_energy` compares with.
+/// Remembers the state before a part of a step: the reference of `add_part_energy`.
 void remember_start(PartStart& start, const SimulationState& state, bool keeps_ledger);
 
 /// A part that was just adopted.
@@ -22,10 +22,10 @@ struct AdoptedPart {
 /// of either.
 bool is_struck(const std::vector<char>& touched, std::size_t row);
 
-/// Adds to the report of the step what happened in the part: impulse of loads and cracks whose
-/// energy was settled; and, where the ledger is kept, change of strain, work of gravity, surface
-/// loads, contact and supports, losses. O(vertices + contacts), beside the pass over elements that
-/// `adopt` makes anyway; one product with K for each component whose supports move.
+/// Adds the changes of the part to the report of the step: the impulse of loads, and cracks with
+/// settled energy. If the ledger is kept also: change of strain, work of gravity, surface loads,
+/// contact and supports, losses. O(vertices + contacts), in addition to the pass over elements that
+/// `adopt` makes anyway; one product with K for each component with moving supports.
 void add_part_energy(StepReport& report, const AdoptedPart& part, bool keeps_ledger);
 
 /// Closes the ledger of a step that began with `kinetic` J and ended with `kinetic_now`.

@@ -32,7 +32,7 @@ class HeldRegions {
   std::vector<std::optional<Holders>> of_motion_;
 };
 
-/// A held component whose nodes took the raised velocities of their supports.
+/// A held component with nodes that took the raised velocities of their supports.
 struct RaisedComponent {
   const Component& component;
   const Impulse& given;             ///< on the whole component

@@ -10,8 +10,8 @@
 namespace sunder {
 namespace {
 
-/// Where, between the start of a part (0) and its end (1), loads act on what moves: with contact
-/// they are a blow at the start, else half of their way goes with them.
+/// The moment, from the start of a part (0) to its end (1), at which loads act on a moving body.
+/// With contact they are an impulse at the start, else they act in the middle.
 double moment_of_loads(const AdoptedPart& part, const std::vector<char>& touched, std::size_t row) {
   const bool floats = part.input.settings.integrator == Integrator::floating_frame;
   return is_struck(touched, row) || !floats ? 0 : 0.5;
@@ -34,7 +34,7 @@ Vec3 place_of_load(const AdoptedPart& part, const Component& c, VertexId v) {
   return start + moment_of_loads(part, part.result.touched, row) * (end - start);
 }
 
-/// What side A of a contact got.
+/// The impulse on side A of a contact.
 Impulse impulse_of(const ContactStepResult& result, std::size_t contact) {
   Impulse given;
   given << result.contacts[contact].impulse, result.moments[contact];
@@ -62,7 +62,7 @@ void take_contacts(std::vector<Impulse>& supports, const AdoptedPart& part) {
   }
 }
 
-/// Calls `visit(component, impulse)` for the surface loads on what the part moved, in pieces.
+/// Calls `visit(component, impulse)` for the surface loads on the members of the part, in pieces.
 template <class Visit>
 void for_each_load(const AdoptedPart& part, Visit visit) {
   const MechanicsState& m = part.state.mechanics;

@@ -15,12 +15,12 @@ Impulse total_momentum(const SimulationState& state);
 /// Momentum of a component by its frame, and its angular momentum about the origin.
 Impulse momentum_of(const Component& component);
 
-/// Adds the impulses of a part that was just adopted, with their moments about the origin: weight
-/// of what moved and surface loads, contact with driven obstacles, and supports, which are what a
-/// held component's momentum changed by beside those. What sleeps moves nothing and counts for
-/// nothing. Exact for floating_frame but where surface loads turn a body far in a part; other
-/// integrators turn bodies by schemes of their own. O(components + contacts + loads).
-/// `supports`: `support_impulses` of the part.
+/// Adds the impulses of a part that was just adopted, with their moments about the origin. They are
+/// gravity on moving bodies, surface loads, contact with driven obstacles, and supports. The
+/// support impulse is the momentum change of a held component that the other terms do not explain.
+/// Sleeping components do not contribute. Exact for floating_frame except where surface loads turn
+/// a body far in a part; other integrators turn bodies by schemes of their own. O(components +
+/// contacts + loads). `supports`: `support_impulses` of the part.
 void add_part_momentum(MomentumLedger& ledger, const AdoptedPart& part,
                        std::span<const Impulse> supports);
 

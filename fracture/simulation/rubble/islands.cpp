@@ -41,10 +41,10 @@ struct Nodes {
   }
 };
 
-/// Meshes are no convex parts: what is near one stays with the elastic solver.
+/// Meshes are no convex parts: bodies near one stay with the elastic solver.
 bool is_solid(const Obstacle& obstacle) { return std::holds_alternative<Solid>(obstacle.shape); }
 
-/// What deforms may become faster in the tick than it is.
+/// Deformable bodies may become faster than now during the tick, by this factor.
 constexpr double haste = 2;
 
 std::vector<char> find_candidates(const Simulation& sim, const Nodes& nodes,
@@ -72,7 +72,7 @@ std::vector<char> find_candidates(const Simulation& sim, const Nodes& nodes,
   return may;
 }
 
-/// Boxes of what may meet, by node.
+/// Boxes of bodies that may meet, by node.
 struct Reach {
   std::vector<Bounds> boxes;
   std::vector<std::uint32_t> node;
@@ -168,7 +168,7 @@ struct Island {
   bool is_grounded = false, is_torn = false;
   bool meets_solid = false;
   std::uint32_t members = 0;
-  Vec3 ground = Vec3::Zero();      ///< m/s, of what is driven and near
+  Vec3 ground = Vec3::Zero();      ///< m/s, of driven obstacles nearby
   Vec3 momentum = Vec3::Zero();
   double mass = 0, kinetic = 0, strain = 0, fastest = 0;
 };
@@ -210,7 +210,7 @@ bool is_near(const Nodes& nodes, std::size_t k, const Obstacle& obstacle, const 
          radius + haste * tick * obstacle.velocity.norm();
 }
 
-/// Where nothing that lives can break or deforms for other reasons, no islands are needed.
+/// If no active component can break or deforms for other reasons, no islands are needed.
 bool all_are_safe(RubbleChoice& choice, const Nodes& nodes, const std::vector<char>& may,
                   const RubbleInput& input) {
   if (std::ranges::any_of(nodes.s.obstacles, is_solid)) return false;
@@ -222,7 +222,7 @@ bool all_are_safe(RubbleChoice& choice, const Nodes& nodes, const std::vector<ch
   for (std::size_t k = 0; k < nodes.count(); ++k) {
     any_awake = any_awake || (nodes.lives(k) && !nodes.is_ball(k) && !nodes.sleeps(k));
   }
-  // Where only balls are awake, islands tell whom they meet.
+  // If only balls are awake, islands decide which bodies they meet.
   if (!any_awake) return false;
   for (std::size_t k = 0; k < nodes.count(); ++k) {
     if (!nodes.lives(k)) continue;
@@ -245,7 +245,7 @@ RubbleChoice choose_rubble(const Simulation& sim, const RubbleInput& input) {
   if (all_are_safe(choice, nodes, may, input)) return choice;
   const std::vector<char> marked = near_awake(nodes, may, gravity, tick);
   const Reach reach = reach_of(s, nodes, marked, gravity, tick);
-  // What keeps still is joined as well: a heap that sleeps is one island.
+  // Resting bodies are joined as well: a heap that sleeps is one island.
   const std::vector<char> all(nodes.count(), 1);
   std::vector<RowPair> pairs;
   BoxScratch scratch;
@@ -287,7 +287,7 @@ RubbleChoice choose_rubble(const Simulation& sim, const RubbleInput& input) {
     if (!nodes.is_ball(k)) island.strain += deformation_energy(s.mechanics, nodes.component(k));
   }
   const double fall = tick * gravity.norm();
-  // Then, whether each of its pieces is safe from all that is in it.
+  // Then, whether each of its pieces is safe from all energy in it.
   for (const std::uint32_t k : members) {
     Island& island = island_of(k);
     if (!island.is_rubble || nodes.is_ball(k)) continue;
@@ -299,7 +299,7 @@ RubbleChoice choose_rubble(const Simulation& sim, const RubbleInput& input) {
     island.is_rubble = false;
     ++choice.refused;
   }
-  // What sleeps far from all that is awake stays what it is.
+  // Bodies that sleep far from all awake bodies keep their state.
   const std::vector<char>& last = s.ladder.rubble.apart;
   for (std::size_t k = 0; k < std::min(last.size(), nodes.components()); ++k) {
     choice.component[k] = last[k] && !marked[k] && nodes.lives(k) && nodes.sleeps(k);
@@ -318,7 +318,8 @@ RubbleChoice choose_rubble(const Simulation& sim, const RubbleInput& input) {
       seen = 1;
       continue;
     }
-    // A ball alone flies as it always has, and so does what could break once it has calmed here.
+    // A lone ball stays with the elastic solver. So does a lone breakable piece that is calm
+    // already.
     const bool is_alone = island.members == 1 && !island.is_grounded;
     if (!island.has_candidate || (is_alone && !nodes.is_ball(k) && is_calm(k) && threshold[k] < boundless &&
                                   !declared[k])) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which pieces may be stepped as rubble in a tick: by what they are, and by whom they could meet.
+// Which pieces may be stepped as rubble in a tick: by their own state, and by the bodies that they
+// could meet.
 #pragma once
 
 #include <vector>
@@ -10,7 +11,7 @@
 
 namespace sunder {
 
-/// What a choice looks at, rows = ComponentId.
+/// Input of a choice, rows = ComponentId.
 struct RubbleInput {
   const std::vector<double>& threshold;  ///< J (`note_break_energies`)
   const std::vector<char>& declared;  ///< `note_unbreakable`
@@ -18,28 +19,30 @@ struct RubbleInput {
   double tick = 0;              ///< s
 };
 
-/// What `choose_rubble` found.
+/// Result of `choose_rubble`.
 struct RubbleChoice {
   /// Rows = ComponentId, obstacles: in an island of rubble alone, be it asleep.
   std::vector<char> component, ball;
   bool any_awake = false;
-  std::uint32_t refused = 0;   ///< islands whose certificate failed
-  std::uint32_t mixed = 0;     ///< islands of candidates and of what is none
+  std::uint32_t refused = 0;   ///< islands with a failed certificate
+  std::uint32_t mixed = 0;     ///< islands of candidates and other bodies
   std::uint32_t solids = 0;    ///< islands near obstacles that are meshes
 };
 
-/// Islands of what could meet in a tick, by the boxes of surface tetrahedra along the ways of their
-/// bodies, twice as far for what deforms; what is driven joins nobody. Near obstacles that are meshes
-/// no island is rubble. An island is rubble where
-/// all in it can be (free, without loads, ties and windows; no vertex of theirs can break, or the
-/// certificate says so) and rubble is on.
+/// Groups bodies that could meet in a tick into islands. Those have overlapping boxes of surface
+/// tetrahedra along their ways, twice as far for deformable bodies. Driven obstacles do not join
+/// islands. Near obstacles that are meshes no island is rubble. An island is rubble if rubble is on
+/// and all bodies in it can be rubble: free, without loads, ties and windows. In addition no vertex
+/// of theirs can break, or the certificate says so.
 ///
-/// The certificate (`RubbleMode::certified`): all the energy that the island could put into a piece
-/// in the tick is below what the piece must hold before a vertex of it can break
-/// (`note_break_energies`): kinetic energy against what the island touches, or against its mass
-/// centre; strain energy in it; the work of gravity in the tick; and what contacts took from the
-/// piece's islands since it has been rubble. Not for `NodeStress::fit`. Where an island meets
-/// obstacles of different velocities there is no bound.
+/// The certificate (`RubbleMode::certified`) bounds the energy that the island could put into a
+/// piece in the tick. It must be below the energy that the piece must hold before a vertex of it
+/// can break (`note_break_energies`). The bound is the sum of
+/// - kinetic energy against the obstacles that the island touches, or else against its mass centre,
+/// - strain energy in the island, and the work of gravity in the tick,
+/// - the energy that contacts took from the piece's islands since it has been rubble.
+/// Not for `NodeStress::fit`. Where an island meets obstacles of different velocities there is no
+/// bound.
 RubbleChoice choose_rubble(const Simulation& sim, const RubbleInput& input);
 
 }  // namespace sunder

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pieces that never break by somebody's word: who they are, and that they are rigid bodies.
+// Pieces that are declared never to break: which ones they are, and their change into rigid bodies.
 #pragma once
 
 #include <span>
@@ -11,7 +11,7 @@
 
 namespace sunder {
 
-/// By whose word a component never breaks; rows of chars, so that 0 is no word.
+/// Why a component can never break. Stored in rows of chars; 0 means it can.
 enum class Unbreakable : char {
   no,
   declared,  ///< `LadderSettings::declared_rubble`, where rubble is on
@@ -24,13 +24,13 @@ enum class Unbreakable : char {
 void note_unbreakable(std::vector<char>& unbreakable, std::vector<double>& body_mass,
                       const Simulation& sim);
 
-/// Makes rigid bodies (`turn_rigid`) of those that are free and without ties, and elastic ones of
-/// what is rigid no more. In contact they then have six unknowns, and no windows open for them. What
-/// they give up, in all. Rows of `unbreakable` = ComponentId. O(components + the size of those that
-/// change).
+/// Makes rigid bodies (`turn_rigid`) of marked components that are free and without ties, and
+/// elastic ones of rigid components that are marked no more. In contact rigid bodies have six
+/// unknowns, and no windows open for them. Gives the sum of the energies given up. Rows of
+/// `unbreakable` = ComponentId. O(components + the size of those that change).
 RebuildReport turn_pieces_rigid(Simulation& sim, std::span<const char> unbreakable);
 
-/// Both, at the start of a step and when pieces have come off, with what it did to energies.
+/// Both, at the start of a step and when pieces have come off; adds the changes of energies.
 void harden_pieces(StepReport& report, Simulation& sim);
 
 }  // namespace sunder

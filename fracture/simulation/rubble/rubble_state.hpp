@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the rung `rubble` keeps from step to step.
+// The memory of the rung `rubble` from step to step.
 #pragma once
 
 #include <cstdint>
@@ -12,11 +12,11 @@ namespace sunder {
 /// Saved with the simulation.
 struct RubbleState {
   RubbleMemory memory;
-  /// Rows = ComponentId, obstacles: stepped on the clock of the rubble until the tick ends, and by
-  /// nothing else. Empty: none.
+  /// Rows = ComponentId, obstacles: stepped only on the clock of the rubble until the tick ends.
+  /// Empty: none.
   std::vector<char> apart, ball_apart;
-  /// J, row = ComponentId: what contact took from its islands since it has been on the rung. Rigid
-  /// bodies lose it; what they stand for could have kept it as deformation.
+  /// J, row = ComponentId: energy that contact took from its islands since it has been on the rung.
+  /// Rigid bodies lose it; the real pieces could have kept it as deformation.
   std::vector<double> spent;
 };
 

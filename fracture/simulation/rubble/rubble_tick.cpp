@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Who is rubble, a tick, and back to components.
+// The choice of rubble, a tick, and the way back to components.
 #include "fracture/simulation/rubble/rubble_tick.hpp"
 
 #include <algorithm>
@@ -35,7 +35,7 @@ void write_rows(MechanicsState& state, const Component& c, const RubbleBody& bod
   }
 }
 
-/// Takes the component on the rung: it gives up what swings in it, J.
+/// Stops the deformation of a component that takes the rung. Gives its kinetic energy before, J.
 double stop_swinging(MechanicsState& state, Component& c) {
   double energy = 0;
   if (c.rung == Rung::asleep || c.rung == Rung::rubble) return energy;
@@ -89,7 +89,8 @@ void add_tick(StepReport& report, const RubbleReport& tick) {
   report.rubble.deepest = std::max(report.rubble.deepest, tick.deepest);
 }
 
-/// m/s, slower than which chips of a heap are still: a hundredth of what falls by their own size.
+/// m/s, below which chips of a heap are still: a hundredth of the speed after a fall by their own
+/// size.
 double still_speed(const RubbleWorld& world, const Scene& scene, const Vec3& gravity) {
   double size = 0, count = 0;
   for (const RubbleBody& body : world.bodies) {
@@ -101,7 +102,7 @@ double still_speed(const RubbleWorld& world, const Scene& scene, const Vec3& gra
   return std::max(own, 0.005 * std::sqrt(gravity.norm() * size / std::max(count, 1.0)));
 }
 
-/// Contacts that the elastic solver remembers of what it steps no more.
+/// Forgets contacts of the elastic solver with bodies that it steps no more.
 void forget_contacts(SimulationState& s, const std::vector<char>& apart) {
   std::erase_if(s.contact.last_contacts, [&](const ContactMemory::Remembered& last) {
     bool is_apart = false;
@@ -111,7 +112,8 @@ void forget_contacts(SimulationState& s, const std::vector<char>& apart) {
   });
 }
 
-/// Whoever was rubble and is not from here on; what it lost on the rung is lost.
+/// Components leave the rung if they are not among `members`. Their losses on the rung are
+/// forgotten.
 void leave_rung(SimulationState& s, const std::vector<char>& members) {
   s.ladder.rubble.spent.resize(s.mechanics.components.size(), 0);
   for (Component& c : s.mechanics.components) {
@@ -158,7 +160,7 @@ void take_ticks(StepReport& report, Simulation& sim, RubbleWorld& world, const R
     const RubbleReport tick = advance_rubble(world.bodies, world.shapes, s.ladder.rubble.memory,
                                              settings, sim.scratch->rubble.solver, nullptr,
                                              world.partners);
-    // All that went anywhere counts for everybody: islands are not told apart.
+    // All lost energy counts for every component: islands are not distinguished.
     const double lost = before + tick.gravity_work - kinetic_of(world);
     for (std::size_t c = 0; c < world.of_component.size(); ++c) {
       if (world.of_component[c] != RubbleWorld::no_row) s.ladder.rubble.spent[c] += std::max(0.0, lost);
@@ -195,7 +197,7 @@ void begin_rubble(StepReport& report, Simulation& sim) {
   const RubbleClock clock = rubble_clock(scene.integrator.time_step);
   RubbleState& rubble = s.ladder.rubble;
   if (s.step % clock.steps != 0) return;
-  // Who is rubble matters to nobody then; it is chosen anew when something moves.
+  // The choice has no effect then; it is made again when something moves.
   if (all_rest(s)) return;
   const double whole = clock.tick * static_cast<double>(clock.ticks);
   const Vec3 gravity = gravity_at(scene.gravity, s.mechanics.time + whole);
@@ -221,7 +223,7 @@ void begin_rubble(StepReport& report, Simulation& sim) {
   for (Component& c : s.mechanics.components) {
     if (!rubble.apart[c.id.index()]) continue;
     swinging += stop_swinging(s.mechanics, c);
-    // Nothing of what is declared breaks in a window.
+    // No declared piece breaks in a window.
     if (c.id.index() < s.impact.quiet.size()) s.impact.quiet[c.id.index()] = ImpactWindow::closed;
   }
   RubbleWorld world = make_rubble_world(sim, rubble.apart, rubble.ball_apart);

@@ -8,11 +8,11 @@
 
 namespace sunder {
 
-/// Makes rigid bodies of pieces that never break by somebody's word (`turn_pieces_rigid`), be rubble
-/// on or off. Where a tick begins with the step at hand: chooses who is rubble (`choose_rubble`), and takes
-/// them through the whole tick with their contacts; whoever was rubble and is not goes to `full`.
-/// Until the tick ends their rows are those of its end, and nothing else moves them
-/// (`RubbleState::apart`). What it did with energy and momentum is added to the report.
+/// Makes rigid bodies of pieces that are declared never to break (`turn_pieces_rigid`), with rubble
+/// on or off. If a tick begins with the present step, it chooses the rubble (`choose_rubble`) and
+/// takes it through the whole tick with its contacts. Components that are no longer rubble go to
+/// `full`. Until the tick ends the rows of rubble are those of its end, and nothing else moves them
+/// (`RubbleState::apart`). Changes of energy and momentum are added to the report.
 void begin_rubble(StepReport& report, Simulation& sim);
 
 }  // namespace sunder

@@ -85,8 +85,9 @@ std::vector<std::array<Vec3, 3>> outside_of(const SimulationState& s, const Comp
   return triangles;
 }
 
-/// Pieces of several tetrahedra that parted from nothing and are one convex solid, such as bricks:
-/// their rows among the solids, row = ComponentId. What differs by a tenth of the slop is the same.
+/// Pieces of several tetrahedra that have parted from no other piece and are one convex solid, such
+/// as bricks: their rows among the solids, row = ComponentId. Differences below a tenth of the slop
+/// are ignored.
 std::vector<std::uint32_t> add_convex_pieces(RubbleWorld& world, const Simulation& sim) {
   const SimulationState& s = *sim.state;
   std::vector<std::uint32_t> rows(s.mechanics.components.size(), RubbleWorld::no_row);

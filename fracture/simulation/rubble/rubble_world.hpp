@@ -11,7 +11,8 @@
 
 namespace sunder {
 
-/// Who is which body in a tick. Moving it keeps the addresses of its solids.
+/// The bodies of a tick, and the components and obstacles that they stand for. Moving it keeps the
+/// addresses of its solids.
 struct RubbleWorld {
   static constexpr std::uint32_t no_row = ~0u;
   std::vector<RubbleBody> bodies;

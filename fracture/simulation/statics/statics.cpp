@@ -54,7 +54,7 @@ std::vector<std::size_t> body_of_vertices(const Simulation& sim) {
   return body;
 }
 
-/// Says of which body a refusal is, and that what the body lies on does not hold it.
+/// Adds to a refusal the name of its body, and that obstacles under the body do not hold it.
 void explain(const Simulation& sim, Finding& finding) {
   if (finding.code != "not_supported") return;
   const auto id = static_cast<std::size_t>(finding.ids.front());
@@ -151,7 +151,7 @@ class Survey {
   }
 
   void see(Extreme& largest, double value, std::size_t v, const BodyEquilibrium& answer) const {
-    // Of equal values the first stands; the first of all stands whatever it is.
+    // Of equal values the first stands; the first of all stands in any case.
     if (answer.vertices > 1 && !(value > largest.value)) return;
     const std::uint32_t point = sim_.state->cells.map.point_of_vertex(VertexId{v});
     largest = {value, point - sim_.bodies[body_of_[v]].first_point, undeformed(v)};

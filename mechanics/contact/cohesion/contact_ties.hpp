@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Ties in the step with contact: one row for each pair of vertices, beside the contacts.
+// Ties in the step with contact: one row for each pair of vertices, besides the contacts.
 #pragma once
 
 #include <span>
@@ -13,7 +13,7 @@ namespace sunder {
 /// Corners of ties between the same two vertices, one plane: they open alike and are one row.
 struct TiePair {
   VertexId a, b;           ///< a < b
-  HalfFaceId face;         ///< of A: tells pairs of the same vertices apart
+  HalfFaceId face;         ///< of A: identifies pairs of the same vertices
   TetId tetrahedron;       ///< of B
   std::uint8_t place = 0;  ///< of B among its nodes
   Vec3 normal{0, 0, 1};    ///< of the crack, world, from B to A, as the step begins
@@ -29,18 +29,18 @@ std::vector<TiePair> gather_ties(ContactMemory& memory, const StepPaths& paths);
 /// m: by how much A is off B, world, where the step is predicted to end.
 Vec3 opening_at_end(const TiePair& pair, const StepPaths& paths);
 
-/// N, effective: what all corners of a pair bear together, on average over the openings from the
-/// largest so far to `opening` (m, world).
+/// N, effective: the force that all corners of a pair bear together, on average over the openings
+/// from the largest so far to `opening` (m, world).
 double tie_bound(const TiePair& pair, const Vec3& opening);
 
-/// What `tie_bound` is multiplied by in the mode of an impulse (on A), or of the opening without
-/// one: sqrt(`mode_ratio`).
+/// The factor on `tie_bound` for the mode of an impulse (on A), or of the opening if there is none:
+/// sqrt(`mode_ratio`).
 double mode_factor(const TiePair& pair, const Vec3& impulse, const Vec3& opening);
 
 /// m: the smallest opening that ends a corner of a pair.
 double opening_end_of(const TiePair& pair);
 
-/// The tie as a contact: who is A and B, and along what.
+/// The tie as a contact: its sides A and B, and its direction.
 ContactPoint contact_of(const TiePair& pair);
 
 /// Opening, give and bound of a row of a tie for a step as it is predicted: bounds are the means of

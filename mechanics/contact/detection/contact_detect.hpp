@@ -43,7 +43,7 @@ struct DetectScratch {
   /// |T|: centres of the tetrahedra at the start and half-way, and their balls at rest, m.
   std::vector<Vec3> centre_start, centre_middle;
   std::vector<double> radius, reach;
-  double ball_share = 0;           ///< what `radius` was measured with
+  double ball_share = 0;           ///< ball share at which `radius` was measured
   std::vector<Vec3> point_middle;  ///< |V|, and corners of obstacles
   std::vector<ComponentId> point_component;  ///< of both; empty where there are no corners
   std::vector<CornerPath> corner;
@@ -66,7 +66,7 @@ struct DetectScratch {
   std::vector<std::uint32_t> order, taken;
 };
 
-/// What detection looks at. Corners of obstacles are numbered on as vertices behind those of bodies.
+/// The input of detection. Corners of obstacles are numbered after the vertices of bodies.
 struct StepPaths {
   const MechanicsState& state;
   std::span<const Corners> corners;
@@ -105,8 +105,9 @@ std::array<Vec3, 4> places_of(const Corners& corners, const StepPaths& paths);
 /// Centres of the tetrahedra at the start, and their balls: `share` of the bounding balls at rest.
 void measure_balls(DetectScratch& scratch, const StepPaths& paths, double share);
 
-/// Every vertex, and corner of `paths`, whose path comes within a tetrahedron's ball of its centre's, into `scratch.pairs`.
-/// Needs: `measure_balls`.
+/// Puts every vertex, and corner of `paths`, with a path that comes within the ball of a
+/// tetrahedron into `scratch.pairs`. Paths are relative to the ball's centre. Needs:
+/// `measure_balls`.
 void pair_up(DetectScratch& scratch, const StepPaths& paths);
 
 /// A contact's weights from those of the point of its tetrahedron that is touched: these, but of a
@@ -176,10 +177,10 @@ inline double gap_end(const ContactPoint& contact, const ContactPath& path) {
   return contact.normal.dot(path.end) + contact.offset;
 }
 
-/// When, after how many seconds, and how fast (m/s) the sides of a contact meet, from their gaps
-/// and velocities: the parabola with the gap and speed of the start and the gap of the end. What
-/// is nearer than `touching` (m) at the start meets at once: over so short a way weight and strain
-/// that contact holds would bring what lies still to a speed. Infinite time: not in this step.
+/// When, after how many seconds, and how fast (m/s) the sides of a contact meet. The gap is the
+/// parabola with the gap and speed of the start and the gap of the end. A pair closer than
+/// `touching` (m) at the start meets at once. Otherwise gravity and strain, which contact carries,
+/// would accelerate a resting body over the tiny gap. Infinite time: not in this step.
 struct Meeting {
   double time = std::numeric_limits<double>::infinity();
   double speed = 0;
@@ -208,10 +209,9 @@ bool may_overlap(const StepPaths& paths, const ContactSettings& settings);
 void find_on_obstacles(DetectScratch& scratch, const StepPaths& paths,
                        const ContactSettings& settings);
 
-/// All contacts whose path ends nearer to the tangent plane than it is long, into `scratch.found`,
-/// in the order: vertices by obstacle, obstacles by corner and then by edge, partners, pieces by
-/// vertex, balls on pieces, edges.
-/// `settings` gives the friction.
+/// Puts all contacts with a path that ends nearer to the tangent plane than it is long into
+/// `scratch.found`. Their order: vertices by obstacle, obstacles by corner and then by edge,
+/// partners, pieces by vertex, balls on pieces, edges. `settings` gives the friction.
 void find_contacts(DetectScratch& scratch, const ContactMemory& memory, const StepPaths& paths,
                    const ContactSettings& settings);
 

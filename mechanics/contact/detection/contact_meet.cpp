@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What meets in a step: contacts along the predicted paths, blows among them, whom they wake.
+// Contacts along the predicted paths of a step, blows among them, and the components that they
+// wake.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,9 +13,9 @@
 namespace sunder {
 namespace {
 
-/// How much farther than predicted `place` (m) of a free body goes once weight and other loads are
-/// taken as a blow at the start: h^2 / 2 times their acceleration for what has not been touched
-/// yet, nothing for the rest.
+/// How much farther than predicted `place` (m) of a free body goes once gravity and other loads are
+/// impulses at the start. This is h^2 / 2 times their acceleration for bodies that have not been
+/// touched yet, and zero for the others.
 Vec3 weight_shift(const ContactStep& step, ComponentId id, const Vec3& place) {
   const Component& component = step.pass.state.components[id.index()];
   const bool falls_later = component.rigid || !is_explicit(step.pass.input.settings.integrator);
@@ -59,9 +60,10 @@ std::uint32_t scattered(const ContactPoint& c) {
   return number * 2654435761u;
 }
 
-/// Takes what is in `order`, deepest first, into `taken`; of a pair of bodies with more than
-/// `max_contacts_per_pair` the deepest half of so many, and others spread over the rest: a set that
-/// spans the same patch. What is left out is found again in the next pass, if it is still too deep.
+/// Takes the contacts in `order`, deepest first, into `taken`. A pair of bodies with more than
+/// `max_contacts_per_pair` keeps the deepest half of so many, and others spread over the rest: a
+/// set that spans the same patch. The next pass finds an omitted contact again if it is still too
+/// deep.
 void take_spanning_sets(ContactStep& step) {
   DetectScratch& found = step.scratch.detect;
   const std::size_t most = step.settings.max_contacts_per_pair;
@@ -155,7 +157,7 @@ bool lie_still(const ContactStep& step, const ContactPoint& contact,
   return stands(contact.ball) && stands(contact.obstacle);
 }
 
-/// The same with what the contact should come out; negative: there is something to solve.
+/// The same less the push-out of the contact; negative: there is something to solve.
 double wanted_gap_error(const ContactStep& step, const ContactPoint& contact,
                         const ContactPath& path) {
   return predicted_gap_error(step, contact, path) - push_out(step, contact);
@@ -194,7 +196,7 @@ std::vector<ComponentId> wake(ContactStep& step, double deepest) {
   return woken;
 }
 
-/// Forgets contacts with what stays on a lower rung: nothing overlaps it.
+/// Forgets contacts with components that stay on a lower rung: nothing overlaps these.
 void leave_alone(ContactStep& step) {
   DetectScratch& found = step.scratch.detect;
   std::size_t kept = 0;
@@ -260,7 +262,7 @@ bool meet(ContactStep& step, double deepest) {
 }
 
 void wake_touched(ContactStep& step) {
-  // What wakes may lie against others that sleep.
+  // A woken component may touch others that sleep.
   for (bool woken = true; woken;) {
     woken = false;
     for (const ContactPoint& contact : step.contacts) {
@@ -296,7 +298,7 @@ double find_new_contacts(ContactStep& step, double deepest) {
     found.order.push_back(k);
   }
   if (deepest == 0) return 0;
-  // Of crack faces, which are many, only what would overlap.
+  // Crack faces are many: of these, only contacts that would overlap.
   std::erase_if(found.order, [&](std::uint32_t k) {
     return !(found.found_gap[k] <= (found.found[k].face.is_none() ? deepest : 0));
   });

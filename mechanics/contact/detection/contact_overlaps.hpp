@@ -11,11 +11,13 @@ namespace sunder {
 inline constexpr double passing_share = 0.01;
 
 /// Adds the contacts of tetrahedra of different pieces, and of spheres with pieces, that overlap at
-/// the predicted end of the step to `scratch.found`, by the axis that parts them soonest (`collide`) and the corners of the patch
-/// between them. They are for overlaps that vertices, edges and faces on straight ways do not see: spins,
-/// bodies with more than one way in. Overlaps below `allowed_penetration` twice and a thousandth of
-/// an edge are left alone (from the third pass on, five thousandths), and so are partners and pairs
-/// that begin deeper than 0.05 edges. `pass`: so many were solved; it tells contacts apart. Needs: `scratch.surface`, `scratch.facing`, `measure_balls`.
+/// the predicted end of the step to `scratch.found`. A contact has the axis that parts them soonest
+/// (`collide`) and the corners of the patch between them. These contacts are for overlaps that
+/// vertices, edges and faces on straight ways do not see: spins, bodies with more than one way in.
+/// Overlaps below `allowed_penetration` twice and a thousandth of an edge are left alone (from the
+/// third pass on, five thousandths). So are partners and pairs that begin deeper than 0.05 edges.
+/// `pass`: number of passes solved; it is part of the contact's key. Needs: `scratch.surface`,
+/// `scratch.facing`, `measure_balls`.
 void find_overlaps(DetectScratch& scratch, const StepPaths& paths, const ContactSettings& settings,
                    std::uint8_t pass);
 

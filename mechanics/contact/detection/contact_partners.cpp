@@ -23,7 +23,7 @@ struct NodePlace {
 /// One node of a pair of crack faces; A is the lower row.
 struct Facing {
   VertexId a, b;
-  HalfFaceId face;    ///< of A: tells contacts of the same nodes apart
+  HalfFaceId face;    ///< of A: identifies contacts of the same nodes
   TetId tetrahedron;  ///< of B
   NodePlace place;    ///< of B
   Vec3 area{0, 0, 0};  ///< m^2, from B to A

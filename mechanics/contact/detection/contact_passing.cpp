@@ -138,7 +138,7 @@ bool passes(const StepPaths& paths, const BallWay& ball, TetId t) {
     if (part >= 1) return false;
     part = std::min(1.0, part + std::max(gap + tolerance, 0.1 * tolerance) / fastest);
   }
-  return true;  // not known: shorter steps tell
+  return true;  // not known: shorter steps will show
 }
 
 }  // namespace

@@ -95,9 +95,9 @@ void add_touches(std::vector<FaceTouch>& touches, const DetectScratch& scratch,
   }
 }
 
-/// Vertices outside with every face of the tetrahedra that they could come to: whose start they are
-/// no farther from than twice their motion against each other. Gives who begins inside or within
-/// `band` (m) of the surface, sorted.
+/// Vertices outside with every face of the tetrahedra that they could reach: at the start they are
+/// no farther from it than twice their relative motion. Gives the vertices that begin inside or
+/// within `band` (m) of the surface, sorted.
 std::vector<Resting> gather_swept(std::vector<FaceTouch>& touches, const DetectScratch& scratch,
                                   const StepPaths& paths, double band) {
   std::vector<Resting> resting;
@@ -266,7 +266,7 @@ std::optional<FaceTouch> choose(std::span<const FaceTouch> touches, const StepPa
   const bool is_inside = touches.front().face.is_none() || touches.back().face.is_none();
   const FaceTouch* rest = nearest_rest(touches, paths, surface, band);
   if (rest && rest->are_partners) return std::nullopt;
-  // What stays together as it falls will press once the lowest is stopped.
+  // Vertices that stay together during a fall will press once the lowest is stopped.
   constexpr double together = 0.01;
   if (rest && (is_inside || is_near(paths, *rest) || rest->gap_end <= together * band)) {
     return *rest;
@@ -275,7 +275,7 @@ std::optional<FaceTouch> choose(std::span<const FaceTouch> touches, const StepPa
   return way_out(paths, touches.front().vertex, touches.front().component);
 }
 
-/// How far the face of second order bulges at the place that is touched, m, along the normal:
+/// How far the face of second order bulges at the touched place, m, along the normal:
 /// touches are found on the flat triangle between its corners.
 double bulge_at(const ContactPoint& contact, const Corners& corners, const TouchedNodes& touched,
                 std::span<const Vec3> positions) {

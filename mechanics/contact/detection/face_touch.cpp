@@ -22,7 +22,7 @@ double gap_at(const StepPaths& paths, VertexId v, HalfFaceId face, double part) 
   return normal_of(x).dot(paths.at(v, part) - x[0]);
 }
 
-/// As the step begins, without what it ends with.
+/// As the step begins; the values at its end are not set.
 FaceTouch touch_at_start(const StepPaths& paths, VertexId v, HalfFaceId face) {
   return {.vertex = v,
           .component = paths.state.elements.component[tetrahedron_of(face).index()],

@@ -9,14 +9,15 @@
 
 namespace sunder {
 
-/// Share of a tetrahedron, or of a face, within which a vertex beside it counts as on it: rounding.
+/// Share of a tetrahedron, or of a face, within which a vertex next to it counts as on it:
+/// rounding.
 inline constexpr double on_face = 1e-9;
 
 /// A vertex, or corner of an obstacle, against a face.
 struct FaceTouch {
   VertexId vertex;
   ComponentId component;              ///< of the face
-  HalfFaceId face;                    ///< none(): only tells that the vertex begins inside
+  HalfFaceId face;                    ///< none(): says only that the vertex begins inside
   double gap_start = 0, gap_end = 0;  ///< m, from the plane of the face
   double part = 0;                    ///< when they meet or are nearest; 0 to 1
   Vec3 normal{0, 0, 1};               ///< then
@@ -24,7 +25,7 @@ struct FaceTouch {
   double size = 0;                    ///< m, of an edge of the face
   bool is_swept = false;              ///< met on the way; else as the step begins
   bool over_face = false;             ///< whether the foot lies in the face
-  bool are_partners = false;          ///< whose contact is met elsewhere
+  bool are_partners = false;          ///< the contact of this pair is found elsewhere
 };
 
 /// The three corners of a face, by rows of vertices, from outside counter-clockwise.

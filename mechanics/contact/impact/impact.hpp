@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What counts as a blow, and how finely one has to be stepped; no step is taken here.
+// Which contacts count as blows, and how finely one has to be stepped; no step is taken here.
 #pragma once
 
 #include <limits>

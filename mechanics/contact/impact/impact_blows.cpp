@@ -58,14 +58,14 @@ class BlowJudge {
   std::map<ComponentId, Verdict> verdicts_;
 };
 
-/// The strongest contact that a component has: what it moves against.
+/// The strongest contact of a component.
 struct Touch {
   double impulse = 0;  ///< N s
   Vec3 normal = Vec3::Zero();
   Vec3 against = Vec3::Zero();  ///< m/s, velocity of the other side at the start
 };
 
-/// Of an obstacle where a contact is; a ball's turning brings nothing nearer.
+/// Velocity of an obstacle where a contact is. The spin of a ball brings nothing nearer.
 Vec3 velocity_of(const ContactStep& step, std::uint32_t row, const ContactPoint& contact) {
   const Obstacle& obstacle = step.pass.obstacles[row];
   if (!obstacle.mass || is_sphere(obstacle)) return obstacle.velocity;

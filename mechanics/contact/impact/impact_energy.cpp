@@ -72,7 +72,7 @@ void ImpactEnergy::join(std::uint32_t a, std::uint32_t b) {
     node.meets_several = node.meets_several || (node.other != none && node.other != other);
     node.other = other;
   }
-  // What is driven or held is the ground of islands and joins none.
+  // Driven or held nodes are the ground of islands and join none.
   if (mass_of(b) == unbounded) grounds_.emplace_back(a, b);
   if (mass_of(a) == unbounded) grounds_.emplace_back(b, a);
   if (mass_of(a) == unbounded || mass_of(b) == unbounded) return;
@@ -230,7 +230,7 @@ Verdict ImpactEnergy::judge(ComponentId id, double threshold) {
   const std::uint32_t node = id.value;
   if (nodes_[node].other == none) return Verdict::breaks;
   const Component& component = step_.pass.state.components[id.index()];
-  // What may slide along an axis is neither ground nor free: no bound stands for it.
+  // A component that may slide along an axis is neither ground nor free: no bound holds for it.
   if (component.partly_held) return Verdict::breaks;
   const double pair = pair_bound(node);
   if (pair < threshold && !deforms_by(step_.pass.state, component, threshold - pair)) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How much energy what meets in a step could put into a component: whether a blow could break it.
+// How much energy the contacts of a step could put into a component: whether a blow could break it.
 #pragma once
 
 #include <cstdint>
@@ -13,25 +13,26 @@
 
 namespace sunder {
 
-/// What an energy bound says of a blow.
+/// The verdict of an energy bound on a blow.
 enum class Verdict {
-  breaks,           ///< the energy at hand reaches what the component's weakest star needs
+  breaks,           ///< the energy at hand reaches the need of the component's weakest star
   spared_by_pair,   ///< it does not: the component meets one other, at too low a speed
-  spared_by_island  ///< nor does all the energy of what touches it, directly or through others
+  spared_by_island  ///< nor does the energy of all bodies that touch it, directly or through others
 };
 
-/// Bounds on the energy of deformation that components can come to within a step, from what meets
-/// in it. What is in it already, U + T_d, and the smaller of
-/// - the pair's, where it meets one thing only: m v^2 / 2, m the mass of the lighter one, v the
-///   largest speed of the two surfaces against each other (mass centres, spins with their arms, a
-///   step of gravity). What is lost at most, as they go on as one rigid body, is less than the
-///   energy of one in the motion of the other. Where the other one meets others too, they may push
-///   it: then m is the component's own mass and v counts twice the fastest of the island.
-/// - the island's, of all that is joined by contacts: kinetic energy against the obstacle or
-///   support that it touches, or against its mass centre where it touches none, strain energy, and
-///   the work of gravity in the step. Obstacles that move differently can do any work: no bound.
-/// Needs: no surface loads on what is judged. Built in O(contacts), an island is summed once when
-/// it is asked for.
+/// Bounds on the deformation energy that components can come to within a step from its contacts:
+/// their present energy U + T_d, plus the smaller of
+/// - the pair's bound, where the component meets one thing only: m v^2 / 2. m is the mass of the
+///   lighter one, v the largest relative speed of the two surfaces (mass centres, spins with their
+///   arms, a step of gravity). The largest loss, in a perfectly inelastic collision, is below the
+///   kinetic energy of one body in the frame of the other. If the other body meets others too, they
+///   may push it. Then m is the component's own mass and v counts twice the fastest of the island.
+/// - the island's bound, over all bodies joined by contacts: kinetic energy, strain energy, and the
+///   work of gravity in the step. The kinetic energy is relative to the obstacle or support that
+///   the island touches, else to its mass centre. Obstacles that move differently can do any work:
+///   no bound.
+/// Needs: no surface loads on the judged component. Built in O(contacts), an island is summed once
+/// at its first use.
 class ImpactEnergy {
  public:
   ImpactEnergy(const ContactStep& step, std::span<const ContactPoint> contacts);
@@ -57,7 +58,7 @@ class ImpactEnergy {
 
   void join(std::uint32_t a, std::uint32_t b);
   bool is_driven(std::uint32_t node) const;
-  /// kg; infinite for what is driven or held.
+  /// kg; infinite for a driven or held node.
   double mass_of(std::uint32_t node) const;
   Vec3 velocity_of(std::uint32_t node) const;
   /// m/s, of the fastest point of its surface against its own velocity.
@@ -79,7 +80,7 @@ class ImpactEnergy {
   std::vector<Node> nodes_;
   UnionFind joined_;             ///< nodes of one island
   std::vector<Island> islands_;  ///< row = root
-  /// What meets a node that is driven or held, and that node.
+  /// Nodes that meet a driven or held node, each with that node.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> grounds_;
 };
 

@@ -9,8 +9,8 @@
 namespace sunder {
 namespace {
 
-/// The weight and other loads of what is touched act like the contact does: on the frame at once,
-/// on the deformation during the step. Otherwise rest would be a saw-tooth of +- g h / 2.
+/// The gravity and other loads of a touched component act like the contact does: on the frame at
+/// once, on the deformation during the step. Otherwise rest would be a saw-tooth of +- g h / 2.
 void blow_of_loads(StepBlows& blows, Component& component, const ContactPass& pass) {
   const double h = pass.input.settings.time_step;
   component.momentum += h * component.mass * pass.input.loads.gravity;

@@ -18,7 +18,7 @@ namespace {
 /// m: the mass centre of a free obstacle.
 Vec3 centre_of(const Obstacle& free) { return pose_of(free.shape).centre; }
 
-/// What A^-1 of a part of a step is multiplied by in the response to a unit impulse that is spread
+/// The factor on A^-1 of a part of a step in the response to a unit impulse. The impulse is spread
 /// over the part as a force: displacement beta h^2 over the part's length.
 double response_scale(const ContactPass& pass, const Component& component) {
   const StepInput& input = pass.input;
@@ -51,8 +51,8 @@ bool responds_elastically(const ContactPass& pass, const Component& component) {
 }
 
 /// Elastic response of floating_frame at the end of a part of a step: `response_scale` A^-1 on
-/// loads freed of their rigid part. Rigid fields r have A r = mu M r, so what a load's rigid part
-/// would give is subtracted in closed form.
+/// loads freed of their rigid part. Rigid fields r have A r = mu M r, so the response to a load's
+/// rigid part is subtracted in closed form.
 void respond_elastically(RespondingBody& body, const ContactPass& pass, const Component& component,
                          std::span<const VertexId> slots) {
   ComponentSystem& system = *pass.state.systems.present[component.id.index()];
@@ -97,7 +97,7 @@ void solve_for_columns(const ContactBodies& bodies, const ContactPass& pass) {
     note_touched(*pass.state.systems.present[component.id.index()],
                  free_slots(pass, bodies.slots[b]).local, missing);
   }
-  // What one thread could take from the other must be worth starting it.
+  // A second thread must have enough work to be worth its start.
   std::size_t rows = 0;
   for (const ColumnBlock& block : missing) rows += block.system->free_count;
   constexpr std::size_t least_rows = 4000;
@@ -336,8 +336,8 @@ void gather_lumped_bodies(ContactBodies& bodies, std::span<const ContactPoint> c
                           const ContactPass& pass) {
   enlist_all(bodies, contacts, pass);
   gather(bodies, contacts, pass, lumped_component);
-  // Vertices respond each by itself, and the body turns by what their places leave over: the turn
-  // by all of the moment less the turn by that of the vertices.
+  // Vertices respond independently, and the body turns by the remaining moment: the turn by the
+  // whole moment less the turn by the moment of the vertices.
   for (Constraint& row : bodies.rows) {
     for (std::uint32_t e = 0; e < row.end_count; ++e) {
       ContactEnd& end = row.ends[e];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Components and balls as the contact solver sees them, and what its impulses do to them.
+// Components and balls as the contact solver sees them, and the effects of its impulses on them.
 #pragma once
 
 #include <vector>
@@ -23,10 +23,10 @@ struct ContactBodies {
   std::vector<Constraint> rows;                  ///< one a contact
 };
 
-/// What touched bodies have got so far in this step.
+/// Impulses that touched bodies have received so far in this step.
 struct StepBlows {
   std::vector<char> component_touched, ball_touched;
-  std::vector<Vec3> vertex_impulse;  ///< |V|, N s: what deforms a component of floating_frame
+  std::vector<Vec3> vertex_impulse;  ///< |V|, N s: deforms components of floating_frame
   Loads without_gravity, with_gravity;  ///< `force` is filled by `predict_touched`
 };
 
@@ -58,19 +58,19 @@ void gather_lumped_bodies(ContactBodies& bodies, std::span<const ContactPoint> c
 void gather_rows(ContactBodies& bodies, std::span<const ContactPoint> contacts,
                  const ContactPass& pass);
 
-/// Adds `change[k]` (N s, on side A of row k) to momenta and spins of what takes split blows and to
-/// the velocities of everything else. What is touched for the first time gets its weight as a blow.
+/// Adds `change[k]` (N s, on side A of row k) to momenta and spins of bodies that take split blows
+/// and to the velocities of all others. At its first touch a body gets its weight as an impulse.
 void apply_changes(StepBlows& blows, const ContactBodies& bodies, std::span<const Vec3> change,
                    const ContactPass& pass);
 
 /// Gives a free obstacle an impulse (N s) at `arm` (m) from its mass centre.
 void strike_ball(Obstacle& ball, const Vec3& impulse, const Vec3& arm);
 
-/// How a free obstacle is turned after `h` s in which its angular momentum goes from what it is to
-/// `end` (`turn_through_step`). A sphere is not followed.
+/// How a free obstacle is turned after `h` s in which its angular momentum goes from its present
+/// value to `end` (`turn_through_step`). A sphere is not followed.
 Eigen::Quaterniond turned_obstacle(const Obstacle& free, const Vec3& end, double h);
 
-/// Predicts every touched component anew, with what it has got so far.
+/// Predicts every touched component again, with its impulses so far.
 void predict_touched(StepBlows& blows, const ContactPass& pass);
 
 }  // namespace sunder

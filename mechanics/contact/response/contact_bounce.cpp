@@ -35,7 +35,7 @@ struct Bounce {
   bool is_ball(const ContactEnd& end) const { return bodies.ball[end.body] != ContactBodies::none; }
 };
 
-/// Velocity of one end with what is to come, m/s.
+/// Velocity of one end, m/s, including that of the remembered acceleration.
 Vec3 coming_velocity(const Bounce& bounce, const ContactEnd& end) {
   if (bounce.is_ball(end)) {
     const Obstacle& ball = bounce.pass.obstacles[bounce.bodies.ball[end.body]];
@@ -65,7 +65,7 @@ Vec3 coming_velocity(const Bounce& bounce, const ContactEnd& end) {
   return velocity;
 }
 
-/// Normal acceleration that a vertex remembers becomes the velocity it stands for.
+/// Turns the normal acceleration that a vertex remembers into the velocity that will come from it.
 void spend_acceleration(const Bounce& bounce, const Constraint& row) {
   VertexColumns& vertices = bounce.pass.state.vertices;
   for (std::uint32_t e = 0; e < row.end_count; ++e) {
@@ -114,7 +114,7 @@ void settle_rates(MechanicsState& state, const Component& component) {
   }
 }
 
-/// Rows for the impulses to take back: from minus what was given to nothing, without friction.
+/// Rows for the impulses to take back: from minus the given impulse to zero, without friction.
 /// Gives the largest parting velocity.
 double set_rows(const Bounce& bounce, std::span<const ContactPoint> contacts) {
   double fastest = 0;

@@ -9,7 +9,7 @@ namespace sunder {
 void check_together(fields::SettingsCheck& check, const Obstacle& obstacle) {
   if (const auto* plane = std::get_if<Plane>(&obstacle.shape)) {
     const double length = plane->normal.norm();
-    // Readers normalise in double: what is further off than this was not normalised at all.
+    // Readers normalise in double: a normal with a larger error was not normalised at all.
     if (length > 0 && std::isfinite(length) && !(std::abs(length - 1) < 1e-9)) {
       check.add("not_a_unit_vector", "plane.normal",
                 "has the length " + fields::text_of(length) + "; allowed is 1", "normalise it");

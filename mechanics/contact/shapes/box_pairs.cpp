@@ -186,7 +186,7 @@ void gather_near(std::vector<std::uint32_t>& near, const BoxScratch& scratch, st
   });
 }
 
-/// Adds the pairs of boxes of two bodies: a sweep along the longest side of what both cover.
+/// Adds the pairs of boxes of two bodies: a sweep along the longest side of their common box.
 void pair_bodies(std::vector<RowPair>& pairs, BoxScratch& scratch, const BoxQuery& query,
                  const RowPair& bodies) {
   const Bounds &a = scratch.hull[bodies.first], &b = scratch.hull[bodies.second];

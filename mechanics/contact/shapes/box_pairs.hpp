@@ -23,7 +23,7 @@ struct Bounds {
 /// Two rows, the lower first.
 using RowPair = std::pair<std::uint32_t, std::uint32_t>;
 
-/// What `find_box_pairs` looks at.
+/// The input of `find_box_pairs`.
 struct BoxQuery {
   std::span<const Bounds> boxes;
   std::span<const std::uint32_t> body;  ///< of each box; boxes of one body never pair

@@ -12,14 +12,14 @@
 
 namespace sunder {
 
-/// A vertex and a tetrahedron of another component whose ball it lies in.
+/// A vertex in the ball of a tetrahedron of another component.
 struct SpherePair {
   TetId tetrahedron;
   VertexId vertex;
   friend constexpr auto operator<=>(const SpherePair&, const SpherePair&) = default;
 };
 
-/// What `find_sphere_pairs` looks at. A vertex and a ball with the same component never pair.
+/// The input of `find_sphere_pairs`. A vertex and a ball with the same component never pair.
 struct SphereQuery {
   /// |V| positions, m.
   std::span<const Vec3> points;

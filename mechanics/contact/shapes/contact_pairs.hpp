@@ -6,7 +6,7 @@
 
 namespace sunder {
 
-/// What the last search saw, and what it found with the margin. May be thrown away at any time.
+/// Input of the last search, and its pairs with the margin. May be thrown away at any time.
 struct PairCache {
   std::vector<Vec3> points, centres;
   std::vector<double> reach;  ///< |T|, m: radii with the margin

@@ -28,8 +28,9 @@ struct EdgeAxis {
   Vec3 normal{0, 0, 0};  ///< out of A
 };
 
-/// The axis of two edges whose arcs on the Gauss map of A - B, each from the normal of one face to
-/// that of the other, have the other edge's plane between: where they cross.
+/// The axis of two edges: the crossing of their arcs on the Gauss map of A - B. Each arc runs from
+/// the normal of one face of its edge to that of the other. There is none unless each arc crosses
+/// the plane of the other.
 EdgeAxis crossing(const Polytope& a, std::size_t i, const Polytope& b, std::size_t j) {
   const PolytopeKind::Edge& e = a.kind->edge[i];
   const PolytopeKind::Edge& f = b.kind->edge[j];
@@ -91,7 +92,7 @@ struct Patch {
   }
 };
 
-/// What of a patch lies behind the plane through `at` across `normal`.
+/// The part of a patch behind the plane through `at` across `normal`.
 Patch cut(const Patch& patch, const Vec3& at, const Vec3& normal) {
   Patch kept;
   for (std::size_t i = 0; i < patch.count; ++i) {
@@ -270,7 +271,8 @@ Manifold collide(const Polytope& a, const Polytope& b, const Approach& approach,
   if (try_edges(edge, a, b, approach, last)) return {};
   // Faces carry patches: an edge has to be better by more than rounding and a hair.
   const double hair = 1e-3 * (a.vertex[0] - a.centre).norm();
-  // Where what is inside of a body parts them better, its neighbours there meet the other.
+  // A face or edge inside of a body may part them better: then its neighbours there meet the other
+  // body.
   const double best = std::max(face.separation, edge.separation);
   if (std::max(face.inside, edge.inside) > best + hair) return {};
   if (edge.separation > face.separation + hair) {

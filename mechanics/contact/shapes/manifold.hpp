@@ -31,7 +31,7 @@ struct PairAxis {
 /// How far two solids may come nearer before they are looked at again.
 struct Approach {
   Vec3 way{0, 0, 0};  ///< m, of A against B
-  double margin = 0;  ///< m, >= 0, in any direction beside
+  double margin = 0;  ///< m, >= 0, in any other direction
   /// Along a unit vector out of A.
   double along(const Vec3& out_of_a) const { return margin + std::max(0.0, out_of_a.dot(way)); }
 };
@@ -41,22 +41,23 @@ struct Approach {
 std::array<double, 2> nearest_of_segments(const Vec3& p, const Vec3& u, const Vec3& q,
                                           const Vec3& v);
 
-/// The patch between two solids that may touch along each of their separating axes:
-/// the normals of their faces and the products of edges whose arcs cross on the Gauss map
-/// [Gregorius 2013, GDC]. No point where one of them keeps them apart, or where a face or edge inside
-/// of a body separates them best: then it is for that body's other parts to meet. Of overlapping solids the normal is that of least overlap.
+/// The patch between two solids that may touch along each of their separating axes. These are the
+/// normals of their faces, and the products of edges with arcs that cross on the Gauss map
+/// [Gregorius 2013, GDC]. There is no point where one axis separates the solids. The same holds
+/// where a face or edge inside of a body separates them best: other parts of that body then meet.
+/// For overlapping solids the normal is that of least overlap.
 Manifold collide(const Polytope& a, const Polytope& b, const Approach& approach, PairAxis& last);
 
 /// m: how far an axis keeps two solids apart; they are no nearer. Negative: it does not.
 double separation_along(const Polytope& a, const Polytope& b, const PairAxis& axis);
 
-/// The same of a ball, whose side is A: one point at most.
+/// The same for a ball, which is side A: one point at most.
 Manifold collide_ball(const Vec3& centre, double radius, const Polytope& b,
                       const Approach& approach);
 
-/// Largest separation of two convex solids along any axis of their faces and pairs of edges, m:
-/// negative where they overlap, by as much as they would have to move. No pruning: the slow twin of
-/// `collide` for tests and for those who judge overlaps.
+/// Largest separation of two convex solids along any axis of their faces and pairs of edges, m.
+/// Negative where they overlap, by as much as they would have to move. No pruning: the slow twin of
+/// `collide` for tests and for the search for overlaps.
 double separation_by_all_axes(const Polytope& a, const Polytope& b);
 
 }  // namespace sunder

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Nearest points on segments, triangles and tetrahedra: the inside where it holds the point's foot,
-// else the nearest of what bounds it.
+// Nearest points on segments, triangles and tetrahedra: inside, if the foot of the point lies
+// there, else the nearest point of the boundary.
 #include "mechanics/contact/shapes/nearest_point.hpp"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ Vec3 point_of(const Corners4& corners, const Weights& weights) {
   return point;
 }
 
-/// The nearest of what has been tried.
+/// The nearest of the points tried so far.
 struct NearestCorners {
   const Corners4& corners;
   const Vec3& x;

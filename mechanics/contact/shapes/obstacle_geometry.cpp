@@ -48,8 +48,8 @@ SurfaceDistance distance_to(const Solid& solid, const Vec3& point) {
   return {at.gap, solid.orientation * at.normal};
 }
 
-/// Whether a path is farther from the ball around a solid than twice its length: nothing of what it
-/// could meet is then worth a look.
+/// Whether a path is farther from the ball around a solid than twice its length. Then the path can
+/// meet no part of the solid.
 std::optional<FirstTouch> pass_by(const Solid& solid, const Path& path) {
   const Vec3 arm = path.start - (solid.orientation * solid.surface->centre + solid.translation);
   const double length = (path.end - path.start).norm();
@@ -128,7 +128,7 @@ FirstTouch first_touch(const Shape& shape, const Path& path) {
   const double gap_start = here.gap;
   SurfaceDistance nearest = here;
   double nearest_travelled = 0;
-  // A millionth of the path is far below what one step can mean for the result.
+  // A millionth of the path is far below any effect on the result of a step.
   const double arrived = 1e-6 * length;
   constexpr int max_evaluations = 48;
   double travelled = 0;
@@ -306,7 +306,7 @@ std::size_t edge_count(const Shape& shape) {
 
 SolidSurface::Edge edge_at(const Shape& shape, std::uint32_t edge) {
   if (const auto* solid = std::get_if<Solid>(&shape)) return solid->surface->sharp_edges[edge];
-  // Four along each axis; the other two axes tell them apart.
+  // Four along each axis, distinguished by the other two axes.
   const std::uint32_t axis = edge / 4, along = 1u << axis;
   const std::uint32_t next = 1u << (axis + 1) % 3, last = 1u << (axis + 2) % 3;
   const std::uint32_t from = (edge & 1 ? next : 0) | (edge & 2 ? last : 0);

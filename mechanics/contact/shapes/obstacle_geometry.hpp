@@ -23,7 +23,7 @@ struct SurfaceDistance {
 /// counts; where the gradient is not unique (the middle of a sphere, ties) a fixed axis is taken.
 SurfaceDistance surface_distance(const Shape& shape, const Vec3& point);
 
-/// A point that moves straight from `start` to `end` (m) beside a shape at rest.
+/// A point that moves straight from `start` to `end` (m) near a shape at rest.
 struct Path {
   Vec3 start{0, 0, 0};
   Vec3 end{0, 0, 0};
@@ -75,8 +75,8 @@ bool has_volume(const Shape& shape);
 /// m^3. Needs: `has_volume`.
 double volume_of(const Shape& shape);
 
-/// Where a shape is: its mass centre and, but of a sphere, its turn. Needs: a shape with a volume,
-/// as what follows does.
+/// Pose of a shape: its mass centre and, except for a sphere, its turn. Needs: a shape with a
+/// volume, like the functions below.
 Pose pose_of(const Shape& shape);
 
 /// Puts it there.

@@ -9,15 +9,15 @@
 
 namespace sunder {
 
-/// Two half-faces that were one face, and which corners met. They need no search to find each
-/// other, and their gap is 0 when they part: to the bit, but for pieces that turn rigid, whose
-/// places are rounded anew.
+/// Two half-faces that were one face, and the pairs of corners that met. They need no search to
+/// find each other, and their gap is exactly 0 when they part. Exceptions are pieces that turn
+/// rigid: their positions are rounded again.
 struct Partner {
   HalfFaceId face, opposite;
   /// Places of the corners in their tetrahedra, by the darts of `face` (dart_order); k meets k.
   std::array<std::uint8_t, 3> corner{}, opposite_corner{};
-  /// m, half the smaller inradius of the two tetrahedra: who has parted or slid so far is met like
-  /// any other piece from then on.
+  /// m, half the smaller inradius of the two tetrahedra: a partner that has parted or slid so far
+  /// is treated like any other piece from then on.
   double reach = 0;
 };
 

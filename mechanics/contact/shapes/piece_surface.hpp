@@ -44,13 +44,13 @@ struct PieceSurface {
 
   std::uint64_t version = 0;  ///< grows with every change of the surface
 
-  /// What it was made of.
+  /// The input of the surface.
   std::vector<Corners> corners;
   std::vector<std::array<HalfFaceId, 4>> neighbours;
 };
 
-/// Makes the surface anew where corners or neighbours (the half-face beyond each face, or none();
-/// |T| rows each) are others than at the last call. O(|T|).
+/// Makes the surface again where corners or neighbours (the half-face beyond each face, or none();
+/// |T| rows each) have changed since the last call. O(|T|).
 /// The node of an edge is joined to the corners of its faces. An edge with more than two faces,
 /// where pieces touch themselves, is in `edges` once for each.
 void update_surface(PieceSurface& surface, const ElementColumns& elements,

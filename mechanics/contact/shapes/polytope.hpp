@@ -58,8 +58,8 @@ struct Polytope {
 /// An edge counts as outside where one of its two faces does.
 Polytope make_tetrahedron(const std::array<Vec3, 4>& corners, std::uint32_t outer_faces = ~0u);
 
-/// A solid whose own axes (columns, unit) have their origin at `centre`, m. Keeps the address of its
-/// kind.
+/// A solid in its own axes (columns, unit), with their origin at `centre`, m. Keeps the address of
+/// its kind.
 Polytope make_polytope(const ConvexSolid& solid, const Vec3& centre, const Mat3& axes);
 
 /// A box by its centre and axes (columns, unit) and half its sides, m.

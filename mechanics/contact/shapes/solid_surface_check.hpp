@@ -8,12 +8,11 @@
 
 namespace sunder {
 
-/// What is wrong with triangles by themselves and how they hang together; see `make_solid_surface`.
-/// O(n log n).
+/// Faults of the single triangles and of their connections; see `make_solid_surface`. O(n log n).
 std::vector<Finding> check_triangles(const TriangleSurface& surface);
 
-/// What is wrong with a surface that is closed: no_volume, wrong_orientation (a shell that is turned
-/// inside out against the others), self_intersection. Needs: measures and tree.
+/// Faults of a closed surface: no_volume, wrong_orientation (a shell that is turned inside out
+/// against the others), self_intersection. Needs: measures and tree.
 std::vector<Finding> check_solid(const SolidSurface& surface);
 
 }  // namespace sunder

@@ -37,7 +37,7 @@ void BodyFactor::add(std::uint32_t a, std::uint32_t b, const Block& block) {
   }
 }
 
-/// Takes a body out of what is left: its columns of L, and what they change.
+/// Eliminates a body from the remaining matrix: makes its columns of L and updates its neighbours.
 void BodyFactor::eliminate(std::uint32_t body) {
   const std::vector<Entry>& column = neighbours_[body];
   for (const Entry& entry : column) {

@@ -9,9 +9,9 @@
 
 namespace sunder {
 
-/// A matrix with six rows a body, and its factor in place. What costs in a heap is the order of
-/// elimination and the entries' housekeeping, not arithmetic: dense blocks, the body with the
-/// fewest neighbours first [Tinney, Walker 1967]. No unit.
+/// A matrix with six rows per body, and its factor in place. For a heap of bodies the cost is in
+/// the order of elimination and the entries' housekeeping, not in arithmetic. So it has dense
+/// blocks and takes the body with the fewest neighbours first [Tinney, Walker 1967]. No unit.
 class BodyFactor {
  public:
   using Block = Eigen::Matrix<double, 6, 6>;
@@ -44,7 +44,7 @@ class BodyFactor {
   std::vector<std::vector<Entry>> neighbours_;
   /// Rows of the higher body; of an eliminated one its columns.
   std::vector<Block> blocks_;
-  std::vector<Block> diagonal_;  ///< L^-1 of what is eliminated
+  std::vector<Block> diagonal_;  ///< L^-1 of eliminated bodies
   std::vector<std::uint32_t> order_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What impulses of rows do to bodies, and back.
+// Effects of row impulses on bodies, and of bodies on rows.
 #include "mechanics/contact/solver/contact_rows.hpp"
 
 #include <algorithm>
@@ -90,7 +90,7 @@ Eigen::MatrixXd between(const std::vector<MergedSlot>& merged, const RespondingB
   return result;
 }
 
-/// Motion of one side by what its body has got, m.
+/// Motion of one side from the impulses on its body, m.
 Vec3 side_displacement(const RowSide& side, const RespondingBody& body, double step) {
   const BodyMotion& got = body.motion;
   Vec3 moved = step * (side.weight * got.velocity + got.spin.cross(side.arm));
@@ -102,7 +102,8 @@ Vec3 side_displacement(const RowSide& side, const RespondingBody& body, double s
   return moved;
 }
 
-/// What an impulse gives the body but for E; the impulse in the body's own frame.
+/// Adds an impulse to the body, except for the part of E; gives the impulse in the body's own
+/// frame.
 Vec3 give_side(const RowSide& side, RespondingBody& body, const Vec3& impulse) {
   BodyMotion& got = body.motion;
   got.velocity += side.weight * body.inverse_mass * impulse;

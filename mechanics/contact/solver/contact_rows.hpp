@@ -13,7 +13,7 @@
 
 namespace sunder {
 
-/// What a body has got in a solve so far.
+/// Motion that a body has received in a solve so far.
 struct BodyMotion {
   Vec3 velocity = Vec3::Zero();                        ///< m/s, change
   Vec3 spin = Vec3::Zero();                            ///< rad/s, change
@@ -21,11 +21,11 @@ struct BodyMotion {
   Vec3 impulse = Vec3::Zero(), moment = Vec3::Zero();  ///< on slots, own frame, N s and N s m
 };
 
-/// A body by the displacement of its slots at the end of the step for impulses: rigid part
-/// h (J/m + I^-1 T x arm) plus an elastic part between its slots,
-///   turn (E + rest_arm x J0^-1 (rest_arm x .) - 1/m) turn^T,
-/// the last two over all slots at once: what E has of rigid response and should not have. Kept
-/// apart so that neither a turn of the body nor other slots cost a pass over E.
+/// Displacement of a body's slots at the end of the step from impulses: a rigid part h (J/m + I^-1
+/// T x arm) plus an elastic part between its slots,
+///   turn (E + rest_arm x J0^-1 (rest_arm x .) - 1/m) turn^T.
+/// The last two terms, over all slots at once, remove the rigid response that E contains. They are
+/// kept apart so that neither a turn of the body nor other slots cost a pass over E.
 struct RespondingBody {
   double inverse_mass = 0;              ///< 1/kg; 0: does not move
   Mat3 inverse_inertia = Mat3::Zero();  ///< 1/(kg m^2), world
@@ -33,9 +33,9 @@ struct RespondingBody {
   Mat3 turn = Mat3::Identity();         ///< from that frame to the world
   double rigid_mass = 0;                ///< 1/m of the elastic part, m/(N s)
   Mat3 rigid_inertia = Mat3::Zero();    ///< J0^-1 of the elastic part, 1/(N s m)
-  BodyMotion motion;                    ///< what the solve accumulates
-  /// Where `merge_ends` takes E from, if not from `elastic`: `cached_scale` times the blocks of a
-  /// larger matrix, of slot k those at `cached_places[k]`, or none. Needed until then only.
+  BodyMotion motion;                    ///< motion accumulated by the solve
+  /// Source of E for `merge_ends`, if not `elastic`: `cached_scale` times blocks of a larger
+  /// matrix. Slot k takes the blocks at `cached_places[k]`, or none. Needed until then only.
   const Eigen::MatrixXd* cached = nullptr;
   std::vector<std::uint32_t> cached_places;
   double cached_scale = 1;
@@ -96,8 +96,8 @@ struct Constraint {
   Vec3 normal{0, 0, 1};
   Vec3 slip{0, 0, 0};     ///< m: relative displacement over the step with the impulse as it is
   double compliance = 0;  ///< m/(N s): give of the row itself, without that of its bodies
-  Vec3 impulse{0, 0, 0};  ///< N s; in: what it is, out: what it should be
-  Vec3 guess{0, 0, 0};    ///< N s: a change to begin with, say what the last step needed
+  Vec3 impulse{0, 0, 0};  ///< N s; in: the present one, out: the solved one
+  Vec3 guess{0, 0, 0};    ///< N s: a first change, such as the need of the last step
   std::variant<ContactConstraint, CohesiveBond> law;
 
   bool is_bond() const { return std::holds_alternative<CohesiveBond>(law); }
@@ -113,11 +113,11 @@ struct Constraint {
 /// that between the sides of its rows, one slot for all that have the same ends. Exact.
 void merge_ends(std::span<Constraint> rows, std::span<RespondingBody> bodies);
 
-/// Displacement of side A against side B by what the bodies have got, m.
+/// Displacement of side A against side B by the motions of the bodies, m.
 Vec3 relative_displacement(const Constraint& row, std::span<const RespondingBody> bodies,
                            double step);
 
-/// Adds an impulse of a row to what its bodies have got. O(slots of the bodies).
+/// Adds an impulse of a row to the motions of its bodies. O(slots of the bodies).
 void add_impulse(const Constraint& row, std::span<RespondingBody> bodies, const Vec3& impulse);
 
 /// Adds one impulse a row at once: one product with each E. O(slots^2 of each body).

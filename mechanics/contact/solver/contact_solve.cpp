@@ -74,7 +74,7 @@ double sweep(const RowSolve& solve) {
   return farthest;
 }
 
-/// Impulses of a sweep and where the last one led: what conjugation needs.
+/// Impulses of a sweep and the last direction: the data of conjugation.
 struct Search {
   std::vector<Vec3> before, direction, onward;
   double last = 0;  ///< squared length of the last sweep's change
@@ -159,8 +159,8 @@ void keep_to_cones(const RowSolve& solve) {
   }
 }
 
-/// What rows do by their impulses: the displacement without any, and what impulses of earlier
-/// passes give, both as the rows stand when the solve begins.
+/// The displacement of rows without impulses, and their displacement from impulses of earlier
+/// passes. Both are values at the begin of the solve.
 struct Energy {
   std::vector<Vec3> without, earlier;
 };
@@ -204,9 +204,9 @@ void start_from_nothing(const RowSolve& solve) {
   }
 }
 
-/// Impulses anew, from none, without friction and without conjugation: each visit takes energy. Not
-/// many sweeps: what they leave is not solved anyway, and a wedge of overlaps without a way out is
-/// pressed harder by each.
+/// Solves again from zero impulses, without friction and without conjugation: each visit takes
+/// energy. The sweeps are few: contacts still open after them are not solved anyway. Each further
+/// sweep would also press a wedge of overlaps without a way out harder.
 void press_only(const RowSolve& solve, const SolveLimits& limits) {
   start_from_nothing(solve);
   for (RowResponse& response : solve.responses) response.disk = 0;
@@ -216,7 +216,7 @@ void press_only(const RowSolve& solve, const SolveLimits& limits) {
   }
 }
 
-/// Twice what the impulses of rows would give at rest, N s m: each alone, and all together.
+/// Twice the work of row impulses on bodies at rest, N s m: of each alone, and of all together.
 struct Effort {
   double alone = 0, together = 0;
 };
@@ -233,10 +233,10 @@ Effort effort_of(const RowSolve& solve, const Energy& energy) {
   return effort;
 }
 
-/// In a wedge pressure and friction can raise each other without end and hold each other so well
-/// that next to nothing moves, as little as the sweeps ask for. Such impulses come from no motion
-/// of the bodies, and what the response is off by gives energy. A tall stack strains as hard, but
-/// by its weight, without friction too. Puts pressure alone in their place.
+/// In a wedge pressure and friction can raise each other without end. They cancel so well that next
+/// to nothing moves, as little as the tolerance of the sweeps. Such impulses come from no motion of
+/// the bodies, and the error of the response gives energy. A tall stack strains as hard, but by its
+/// weight, without friction too. Puts pressure alone in their place.
 void release_wedges(const RowSolve& solve, const Energy& energy, const SolveLimits& limits) {
   constexpr double holds = 64, by_friction = 16;
   const Effort effort = effort_of(solve, energy);
@@ -253,8 +253,8 @@ void release_wedges(const RowSolve& solve, const Energy& energy, const SolveLimi
   add_impulses(solve.rows, solve.bodies, change);
 }
 
-/// Where contacts are more than their bodies can tell apart, pressure and the disks that follow it
-/// change for ever by a little: the residual falls no more.
+/// Contacts can be more than the independent motions of their bodies. Pressure and the disks that
+/// follow it then change for ever by a little: the residual falls no more.
 class Stall {
  public:
   /// Whether the residual has not halved for long, and is near the tolerance.

@@ -16,7 +16,7 @@ namespace {
 using Impulses = std::vector<Vec3>;
 using Arm = Eigen::Matrix<double, 3, 6>;  ///< from a twist of a body to motion at a row
 
-/// What of a row's impulse is free: a basis of it, columns orthonormal.
+/// The free directions of a row's impulse: a basis of them, columns orthonormal.
 struct Free {
   Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::ColMajor, 3, 3> basis{3, 0};
   Mat3 inverse = Mat3::Zero();  ///< of D, on it
@@ -30,7 +30,7 @@ struct Subspace {
   std::vector<Free> free;
   std::vector<std::uint32_t> place;  ///< of bodies with rigid motions in the equations; or no_place
   BodyFactor factor;
-  std::vector<BodyMotion> spare;  ///< |bodies|, whose room each product takes
+  std::vector<BodyMotion> spare;  ///< |bodies|, scratch of each product
   int products = 0;
 };
 
@@ -148,7 +148,7 @@ bool factor_bodies(Subspace& s) {
   return s.factor.factor();
 }
 
-/// (D + G W G^T)^-1 on what is free.
+/// (D + G W G^T)^-1 on the free directions.
 Impulses precondition(const Subspace& s, const Impulses& r) {
   Impulses result(r.size(), Vec3::Zero());
   Eigen::VectorXd twist = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(6 * s.factor.size()));
@@ -229,15 +229,15 @@ Impulses gradient_of(const Subspace& s) {
   return gradient;
 }
 
-/// Preconditioned conjugate gradients; where the energy is least on what is free.
+/// Preconditioned conjugate gradients: the least energy over the free directions.
 Impulses least_energy(Subspace& s, const Impulses& gradient, int most) {
   Impulses found(gradient.size(), Vec3::Zero()), residual(gradient.size());
   for (std::size_t k = 0; k < residual.size(); ++k) residual[k] = -within(s.free[k], gradient[k]);
   Impulses z = precondition(s, residual), direction = z;
   double rz = dot(residual, z);
-  // The sweeps after it find what else is free: a thousandth of the error is enough.
+  // The later sweeps find the other free rows: a thousandth of the error is enough.
   const double enough = 1e-6 * rz;
-  // Where contacts are more than their bodies can tell apart only rounding is left.
+  // Where contacts are more than the independent motions of their bodies, only rounding is left.
   constexpr double rounding = 1e-9;
   double square = rz;  // of the direction, measured by the preconditioner's inverse
   while (rz > enough && s.products < most) {
@@ -263,7 +263,7 @@ Vec3 inside_bounds(const Constraint& row, const RowResponse& response, const Vec
   return row.is_bond() ? bond_kept(row, impulse) : contact_kept(row, response, impulse);
 }
 
-/// Takes back, from the bodies too, what the bounds as they are now do not allow: disks have
+/// Takes back, from the bodies too, the parts of impulses outside the present bounds: disks have
 /// shrunk.
 void keep_bounds(const Subspace& s) {
   Impulses back;

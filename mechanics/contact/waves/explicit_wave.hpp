@@ -20,7 +20,7 @@ struct WaveScratch {
   /// contacts are to last, and how long ago it was (s).
   std::vector<Vec3> searched_position, searched_velocity;
   double searched_for = 0, since_search = 0;
-  /// Element stresses as the part began, while it is asked whether it ends (`StepInput::ends`).
+  /// Element stresses as the part began, kept while the part can end early (`StepInput::ends`).
   std::vector<Mat3> stress;
   std::vector<std::array<Mat3, 4>> corner_stress;
 };

@@ -41,9 +41,9 @@ void make_bonds(LumpedBonds& bonds, std::span<const TiePair> pairs, std::span<co
 void begin_bonds(LumpedBonds& bonds, std::span<const TiePair> pairs, WaveNodes& nodes,
                  const RowStep& step);
 
-/// Each bond takes the impulse that its secant asks for at the opening with which the step ends, or
-/// all that it bears; set by set, each swept until none is off by more than `tolerance`, `most`
-/// times at most. Gives the farthest that one was from its law in the first sweeps, and in the last
+/// Each bond takes the impulse of its secant at the opening with which the step ends, or all that
+/// it bears. Set by set, each is swept until none is off by more than `tolerance`, `most` times at
+/// most. Gives the largest distance of a bond from its law in the first sweeps, and in the last
 /// ones, over the opening that ends it.
 std::array<double, 2> sweep_bonds(LumpedBonds& bonds, std::span<const TiePair> pairs,
                                   WaveNodes& nodes, const RowStep& step, double tolerance,

@@ -170,7 +170,7 @@ double take_missed(WaveRigid& body) {
   return body.inverse_mass > 0 && !body.component.is_none() ? work : 0;
 }
 
-/// Turns a body by what it has turned since its last turn. Gives the turn.
+/// Turns a body by the rotation since its last turn. Gives the turn.
 Mat3 turn_of(WaveRigid& body) {
   const Vec3 momentum = body.angular_momentum + body.twist;
   const double energy = momentum.dot(body.inverse_inertia * momentum);

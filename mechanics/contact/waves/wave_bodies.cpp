@@ -221,7 +221,7 @@ void find_forces(WaveBodies& waves, WaveBody& body) {
 
 namespace {
 
-/// Adds what surface loads give a body in `step` s.
+/// Adds the impulse of surface loads on a body in `step` s.
 void note_loads(const WaveBodies& waves, WaveBody& body, double step) {
   const WaveNodes& nodes = waves.nodes;
   for (std::size_t i = body.first_node; i < body.end_node; ++i) {

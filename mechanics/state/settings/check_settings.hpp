@@ -35,9 +35,9 @@ bool is_allowed(double value, const Range& range);
 /// The error out_of_range of the key at `place`; `seen`: its value as the user knows it.
 Finding out_of_range(const Key& key, std::string_view place, std::string_view seen, double value);
 
-/// A visitor of descriptions that checks what it visits. Each struct may have beside its
-/// description a function `check_together(SettingsCheck&, const T&)` for what concerns several of
-/// its keys.
+/// A visitor of descriptions that checks the values it visits. In addition to its description, a
+/// struct may have a function `check_together(SettingsCheck&, const T&)` for rules between several
+/// of its keys.
 class SettingsCheck {
  public:
   SettingsCheck(std::string place, std::vector<SettingFinding>& findings)
@@ -46,7 +46,7 @@ class SettingsCheck {
   /// Checks a described struct whole.
   template <class T>
   void object(const T& settings) {
-    // Descriptions take what they describe by reference, for readers; a check writes nothing.
+    // Descriptions take the settings by reference, for readers; a check writes nothing.
     describe(*this, const_cast<T&>(settings));
     if constexpr (requires { check_together(*this, settings); }) check_together(*this, settings);
   }
@@ -109,7 +109,7 @@ class SettingsCheck {
 
 }  // namespace fields
 
-/// What is wrong with settings, all of it, errors with the value, what is allowed and a remedy:
+/// Faults of settings, all of them, as errors with the value, the allowed range and a remedy:
 /// out_of_range, zero_direction, not_a_rotation, and those of the rules between keys. `place` names
 /// the settings in the texts, such as "bodies.0.material"; empty for a scene.
 template <class T>
@@ -129,6 +129,6 @@ std::vector<Finding> check_settings(const T& settings, std::string place) {
   return findings;
 }
 
-/// damping_not_supported, model_not_supported: what only some integrators and models take.
+/// damping_not_supported, model_not_supported: settings that only some integrators and models take.
 void check_together(fields::SettingsCheck& check, const IntegratorSettings& settings);
 }  // namespace sunder

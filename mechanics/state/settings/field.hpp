@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One key of a settings object: name, unit, meaning, range. Settings and their keys are described
-// once, in files named *_fields.hpp; what reads, checks or
-// documents settings visits those descriptions.
+// once, in files named *_fields.hpp. Code that reads, checks or documents settings visits those
+// descriptions.
 #pragma once
 
 #include <limits>
@@ -25,7 +25,7 @@ struct Range {
   double low = -infinity;
   double high = infinity;
   bool without_low = false;    ///< `low` itself is not allowed
-  bool with_infinity = false;  ///< infinity is allowed too, beside the finite numbers
+  bool with_infinity = false;  ///< infinity is allowed too, besides the finite numbers
 };
 constexpr Range at_least(double low) { return {.low = low}; }
 constexpr Range above(double low) { return {.low = low, .without_low = true}; }
@@ -35,9 +35,9 @@ constexpr Range between(double low, double high) { return {.low = low, .high = h
 /// the default.
 struct Key {
   std::string_view name;
-  /// Empty for what has none.
+  /// Empty if it has none.
   std::string_view unit;
-  /// What it means, for the schema.
+  /// Its meaning, for the schema.
   std::string_view text;
   Range range = {};
   bool required = false;
