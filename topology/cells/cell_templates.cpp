@@ -41,7 +41,7 @@ consteval std::array<CellPart, 8> turned(const std::array<int, 4>& corners) {
   return parts;
 }
 
-/// The face whose three edges are divided; 4 where there is none.
+/// The face with three divided edges; 4 where there is none.
 int full_face(unsigned edges) {
   for (int p = 0; p < 4; ++p) {
     if ((edges & edges_of_face(p)) == edges_of_face(p)) return p;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Counts for the map that everyone uses, and the table of what a face split can change.
+// Counts of a map for its users, and the table of the changes that a face split can make.
 #include "topology/kernel/invariants_impl.hpp"
 #include "topology/kernel/map_answers.hpp"
 #include "topology/kernel/volume_map.hpp"

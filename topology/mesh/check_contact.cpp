@@ -281,8 +281,8 @@ void report_coincident(Contact& c) {
   report(c.survey, coincident_faces, places);
 }
 
-/// Whether the segment passes through the inside of the face, its ends and the face's edges being
-/// farther from there than what counts as touching. An end at a corner is none farther away.
+/// Whether the segment passes through the inside of the face, with its ends and the face's edges
+/// farther from there than the touching distance. An end at a corner is not farther away.
 bool goes_through(const Contact& c, const Point& from, const Point& to,
                   const std::array<Point, 3>& face) {
   const Point normal = cross(difference(face[1], face[0]), difference(face[2], face[0]));

@@ -37,8 +37,8 @@ inline constexpr MeditOrder medit_orders[] = {
 /// The order section of a kind; a null pointer where it has none.
 const MeditOrder* medit_order_of(CellKind kind);
 
-/// Whether files without an order section leave the kind's nodes open: all but simplices, whose
-/// midpoints programs list alike.
+/// Whether files without an order section leave the order of the kind's nodes open: true of all but
+/// simplices, for which programs agree on the order of midpoints.
 bool needs_medit_order(CellKind kind);
 
 /// A node's place as such a section tells it: its Bezier indices of degree two. Along an edge from

@@ -13,7 +13,7 @@
 namespace sunder::io {
 namespace {
 
-/// What a line is for, by its first word.
+/// The purpose of a line, by its first word.
 enum class Kind {
   point,
   face,
@@ -97,7 +97,7 @@ void end_line(Scanner& s) {
 struct ObjReader {
   Scanner s;
   Draft draft;
-  /// What gives the regions.
+  /// The lines that give the regions.
   Kind label = Kind::material;
   /// Points read up to the line, for negative numbers.
   std::int64_t points = 0;
@@ -128,7 +128,7 @@ void read_point(ObjReader& r, std::size_t at) {
   if (!next_in_line(r.s).empty()) add_skipped(r.draft, "weights or colours of points", {}, at);
 }
 
-/// The number of a point: what stands before the first slash.
+/// The number of a point: the digits before the first slash.
 std::int64_t number_of(const ObjReader& r, std::string_view word) {
   const std::string_view digits = word.substr(0, word.find('/'));
   std::int64_t number = 0;
@@ -278,7 +278,7 @@ void skip_other_names(ObjReader& r) {
   });
 }
 
-/// What the file has: room is made for it, and what is left out is told.
+/// Counts the contents of the file, to make room for them, and reports those left out.
 void survey(ObjReader& r) {
   bool has_groups = false, has_objects = false, has_materials = false;
   Room room;

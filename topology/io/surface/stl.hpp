@@ -24,7 +24,7 @@ Draft read_stl(std::string_view text);
 /// regions. Needs: stl_refused says nothing.
 std::string write_stl(const FileMesh& mesh, bool is_binary);
 
-/// What happens to the points of `mesh` in an STL file.
+/// Changes of the points of `mesh` in an STL file.
 struct StlPoints {
   /// Points that no triangle uses.
   std::size_t unused = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One of TetGen's files as a table: a line with counts, then a line a row; comments from # to the
-// line's end. What the numbers mean is for tetgen_read.cpp.
+// One of TetGen's files as a table: a line with counts, then a line per row; comments from # to the
+// line's end. The numbers get their meaning in tetgen_read.cpp.
 #pragma once
 
 #include <cstdint>

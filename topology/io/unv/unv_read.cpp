@@ -103,8 +103,8 @@ void add_node(UnvReader& r, const UnvLines& lines, std::int64_t number, std::int
   add_point(r.draft, u == 1 ? point : Point{point[0] / u, point[1] / u, point[2] / u}, at);
 }
 
-/// 164: which units, their name; then what lengths, forces and temperatures are to be divided by to
-/// be in SI units.
+/// 164: the units and their name; then the divisors that convert lengths, forces and temperatures
+/// to SI units.
 double read_length_unit(UnvLines lines) {
   expect_line(lines, "the number and name of a system of units");
   expect_line(lines, "the factors of units");

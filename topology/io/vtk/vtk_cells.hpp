@@ -43,7 +43,7 @@ struct VtkPiece {
   std::size_t copies_left = 0;
 };
 
-/// Takes the copies that a column of so many components needs for parts of cells off what is left.
+/// Takes the copies that a column of so many components needs for parts of cells off the room left.
 /// Fails with count_too_big.
 void count_copies(const Draft& draft, VtkPiece& piece, std::size_t components, std::size_t at);
 
@@ -126,8 +126,8 @@ VtkGrid vtk_grid(const FileMesh& mesh);
 std::uint8_t vtk_type_of(CellKind kind);
 
 /// Names of data that do not reach the grid whole: a name stands for one array there, of points or
-/// of all cells. The second of a name is left out, and so is what has the name of our own labels;
-/// what has other components or numbers than the first is filled.
+/// of all cells. The second column of a name is left out, and so are columns with names of our own
+/// labels; columns with other components or numbers than the first are filled.
 std::vector<std::string> vtk_clashes(const FileMesh& mesh);
 
 /// Names of whole numbers that cells of some kind have and those of another lack: these get 0 in

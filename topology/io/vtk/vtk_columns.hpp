@@ -15,7 +15,7 @@
 
 namespace sunder::io {
 
-/// What stands before an array's numbers.
+/// The head before an array's numbers.
 struct VtkArrayHead {
   std::string name;
   std::size_t components = 1;
@@ -91,10 +91,10 @@ struct VtkSink {
   }
 };
 
-/// Where the rows of an array of data go: columns of that name are begun, or go on where another
-/// piece began them. What earlier pieces lack is found out at the end. Room is made for the rows of
-/// the whole mesh, at most `most_numbers`.
-/// Needs: all points or cells of the file are there. The sink is good until the next call.
+/// The sink for the rows of an array of data: columns of that name are begun, or go on where
+/// another piece began them. Rows missing from earlier pieces are found at the end. Room is made
+/// for the rows of the whole mesh, at most `most_numbers`. Needs: all points or cells of the file
+/// are there. The sink is good until the next call.
 template <class Value>
 VtkSink<Value> begin_vtk_data(Draft& draft, VtkPiece& piece, const VtkArrayHead& head,
                               std::size_t most_numbers);

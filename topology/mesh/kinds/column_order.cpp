@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Columns sorted by what each kind says stands before what.
+// Columns sorted by the orders that the kinds of cells have them in.
 #include "topology/mesh/kinds/column_order.hpp"
 
 #include <map>
