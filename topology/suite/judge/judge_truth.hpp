@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What is true of a fixture, by the twin alone: its operations as steps, what each step does, and
-// how the body is at the moments that kernels are asked about. Shared by all kernels.
+// The truth about a fixture, by the twin alone: its operations as steps, the effect of each step,
+// and the body at the moments that kernels are asked about. Shared by all kernels.
 #pragma once
 
 #include <cstddef>

@@ -83,7 +83,7 @@ constexpr double default_answer_seconds = 10;
 /// process and throws `KernelLost`.
 JudgedKernel process_kernel(const std::string& command, double seconds = default_answer_seconds);
 
-/// Another process died, hung or spoke nonsense; `what()` says which question it was.
+/// Another process died, hung or gave an unreadable answer; `what()` names the question.
 struct KernelLost : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

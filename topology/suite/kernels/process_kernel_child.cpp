@@ -199,7 +199,7 @@ std::string Child::ask(std::string_view text, const Limits& limits) {
     }
     const double wait = std::min<double>(std::ceil(left.count()), look_every);
     if (exchange(text, static_cast<int>(wait)) || !is_gone()) continue;
-    // What it said last may have come between the two looks.
+    // Its last output may have come between the two looks.
     if (exchange(text, 0)) continue;
     throw KernelLost(why("it " + how_it_ended() + " and left its output to another process"));
   }
