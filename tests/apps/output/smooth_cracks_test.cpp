@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Cracks drawn on their planes: what moves, what stays, and that no tetrahedron turns over.
+// Cracks drawn on their planes: moved and fixed points, and no tetrahedron turned over.
 #include "apps/output/smooth_cracks.hpp"
 
 #include <Eigen/Dense>

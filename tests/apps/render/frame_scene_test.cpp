@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is wrong with a scene is named; colors and tints behave.
+// Faults of a scene are named; colors and tints behave.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>

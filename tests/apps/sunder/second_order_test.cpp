@@ -48,7 +48,7 @@ LoadBox on_top(double pressure) {
   return {.minimum = {-1, -1, 0.1 - 1e-6}, .maximum = {99, 9, 9}, .pressure = pressure};
 }
 
-/// What `sunder` says of a scene of one mesh file that it finds beside.
+/// A scene with one mesh file next to it.
 json scene_json() {
   return {{"gravity", {{"acceleration", {0, 0, -9.81}}}},
           {"bodies",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Results do not depend on the number of threads, nor on what holds the topology.
+// Results depend neither on the number of threads nor on the topology's kernel.
 #include <atomic>
 #include <catch2/catch.hpp>
 #include <cstring>

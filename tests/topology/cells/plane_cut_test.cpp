@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Cuts by planes whose sections are known.
+// Cuts by planes with known sections.
 #include "topology/cells/plane_cut.hpp"
 
 #include <algorithm>
@@ -70,7 +70,7 @@ Halves cut(VolumeMap& map, const CuttingPlane& plane) {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-/// What a plane meets of a body, point by point and edge by edge.
+/// The section of a plane with a body, point by point and edge by edge.
 struct Met {
   std::vector<double> at;  // of each of the file's points; 0 in the plane
   std::set<std::pair<std::uint32_t, std::uint32_t>> divided;

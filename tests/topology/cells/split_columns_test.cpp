@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Columns of one's own through split faces, by the rules copy and share, held against what the map
-// itself says.
+// Columns of one's own through split faces, by the rules copy and share, compared with the map's
+// own answers.
 #include "topology/cells/columns.hpp"
 
 #include <numeric>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Abaqus' input: files of gmsh, meshio and CalculiX, sets and sections, what we write.
+// Abaqus' input: files of gmsh, meshio and CalculiX, sets and sections, our own files.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <fstream>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Nastran's bulk data: files of gmsh and meshio, the kinds of fields, what is refused, what is
-// kept.
+// Nastran's bulk data: files of gmsh and meshio, the kinds of fields, refused and kept contents.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Universal files: gmsh's, the data sets of others, groups as regions, what is refused.
+// Universal files: gmsh's, the data sets of others, groups as regions, refusals.
 #include <algorithm>
 #include <catch2/catch.hpp>
 

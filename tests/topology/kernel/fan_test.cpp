@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Fans at a vertex, sections of a plane, the order of their faces, and what is not a plane.
+// Fans at a vertex, sections of a plane, the order of their faces, and normals without a plane.
 #include <algorithm>
 #include <cmath>
 #include <limits>

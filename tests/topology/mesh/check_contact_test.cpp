@@ -76,7 +76,7 @@ double distance(const Point& a, const Point& b) { return std::sqrt(dot(minus(a, 
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// What a check should find, from every boundary face held against every boundary point.
+/// The expected findings of a check, by comparing every boundary face with every boundary point.
 struct Twin {
   std::set<std::uint32_t> hanging, close;
   std::set<Triangle> hung_in;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a check of a whole file says of triangles, shapes and places, held against slow definitions.
+// Triangles, shapes and places by a check of a whole file, compared with slow definitions.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>

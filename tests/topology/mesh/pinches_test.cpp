@@ -73,7 +73,7 @@ std::vector<std::uint32_t> flat(const Corners& corners) {
 }
 
 /// Splits the pinched vertices: afterwards points are vertices, as union-find has them, and every
-/// copy is what its point was. Gives the number of copies.
+/// copy has the data of its point. Gives the number of copies.
 std::size_t hold_split(const TetMesh& mesh) {
   FileMesh file = file_mesh_of(mesh);
   std::vector<double> vectors;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Shapes at the limits of numbers: needles, faces whose areas vanish, volumes without a number.
+// Shapes at the limits of numbers: needles, faces with vanishing areas, volumes without a number.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -59,8 +59,8 @@ double shortest_of(const Corners& x) {
 }  // namespace
 
 TEST_CASE("needles have their volume and their shortest edge", "[topology][quality]") {
-  // One corner beside another, at a billionth of the length: what the formulas take from each other
-  // decides how many digits are left. Here all are.
+  // One corner next to another, at a billionth of the length: cancellation in the formulas decides
+  // how many digits are left. Here all are.
   std::mt19937_64 random(8);
   for (int trial = 0; trial < 60; ++trial) {
     Corners x{};

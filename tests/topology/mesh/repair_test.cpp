@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Repairs: what each changes, what it leaves, and that a mesh without the fault stays as it is.
+// Repairs: their changes, the kept rest, and meshes without the fault, which stay as they are.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <limits>

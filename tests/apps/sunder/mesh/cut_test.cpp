@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `sunder refine` and `sunder cut`: what they write, what they tell, what they refuse.
+// `sunder refine` and `sunder cut`: their files, reports and refusals.
 #include <catch2/catch.hpp>
 #include <algorithm>
 #include <cmath>

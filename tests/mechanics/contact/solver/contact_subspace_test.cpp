@@ -13,8 +13,8 @@ using namespace sunder::test;
 
 namespace {
 
-/// What impulses cost, J times the step: 1/2 f . A f + b . f, with the contacts' own give, less
-/// what pushes want. Sweeps and the subspace both minimise it.
+/// The energy of impulses, J times the step: 1/2 f . A f + b . f, with the contacts' own
+/// compliance, less the energy of pushes. Sweeps and the subspace both minimise it.
 struct Energy {
   Eigen::MatrixXd response;
   Eigen::VectorXd without;

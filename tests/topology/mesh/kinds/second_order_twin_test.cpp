@@ -45,7 +45,7 @@ void append_middles(DataColumn& column, const std::vector<Ends>& ends) {
   }
 }
 
-/// What raise_order promises, said once more.
+/// A second implementation of raise_order.
 std::size_t raise(FileMesh& mesh) {
   std::map<Ends, std::uint32_t> node;
   for (const CellKind kind : all_cell_kinds) {

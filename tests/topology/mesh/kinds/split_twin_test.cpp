@@ -55,7 +55,7 @@ Point area_of(const FileMesh& mesh, const Rows& face) {
 
 double product(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-/// What split_cells promises, said once more.
+/// A second implementation of split_cells.
 SplitCells split(FileMesh& mesh) {
   SplitCells report;
   bool any = false;
@@ -174,7 +174,7 @@ FileMesh nearly_boxes(Random& random) {
       std::shuffle(order.begin(), order.end(), random);
       std::vector<Point> points(mesh.points.begin() + first, mesh.points.end());
       for (std::size_t k = 0; k < n; ++k) mesh.points[order[k]] = points[k];
-      // Two neighbours become one. Of some cells a volume of nothing would be left, whose sign is a
+      // Two neighbours become one. Some cells would keep a volume of nothing, with a sign that is a
       // matter of rounding.
       const bool may_repeat = shake > 0 && linear_kind(kind) != CellKind::pyramid5;
       if (may_repeat && below(random, 5) == 0) {

@@ -46,7 +46,7 @@ double number(Random& random, int bits, int more) {
   return random() % 2 == 0 ? size : -size;
 }
 
-/// Often a neighbour of what it was.
+/// Often moves a coordinate to a neighbouring number.
 template <std::size_t N>
 void shake(Random& random, std::array<double, N>& p) {
   double& x = p[random() % N];

@@ -39,7 +39,7 @@ struct Found {
   std::vector<std::uint32_t> rows;
 };
 
-/// What check_surface promises, said once more.
+/// A second implementation of check_surface.
 struct Twin {
   explicit Twin(const FileMesh& given) : x(given.points) {
     std::map<Point, std::uint32_t> lowest;
