@@ -172,8 +172,8 @@ TEST_CASE("case 3: the node stress at the top of a hanging bar lacks half a laye
     ++count;
   }
   INFO("layers " << layers << ", share " << top / count);
-  // Elements carry the weight below their middles, so half a layer is missing, 1 - 0.5 / n, but for
-  // what the cells' side diagonals shift; the list's figures are of other cells.
+  // Elements carry the weight below their middles, so half a layer is missing, 1 - 0.5 / n, up to a
+  // shift by the cells' side diagonals; the list's figures are of other cells.
   CHECK(top / count == Approx(1 - 0.5 / layers).margin(0.15 / layers));
   CHECK(top / count == Approx(share).margin(0.2 / layers));
 }

@@ -51,8 +51,8 @@ Cell keeps_last(const Mat3& A) {
   return holds_below(error, 1e-12);
 }
 
-/// Reflections: proper, and tr(R^T A) as large as the singular values allow. Figure: what is
-/// missing.
+/// Reflections: proper, and tr(R^T A) as large as the singular values allow. Figure: the missing
+/// part.
 Cell reflected() {
   std::mt19937 random(85);
   double worst = 0;

@@ -141,7 +141,7 @@ void print(const char* who, double time, double ms, const std::vector<SeenPart>&
   std::fflush(stdout);
 }
 
-/// A chip let go above the floor: what the two say of how it lies.
+/// A chip let go above the floor: its final position by both programs.
 void one_chip(const BulletWay& way, int per_second) {
   RubbleScene scene = ground();
   add_tetrahedron(scene, {Vec3(0, 0, 1e-3), Vec3(0.01, 0, 1e-3), Vec3(0.01, 0.01, 1e-3), Vec3(0.01, 0.01, 0.011)}, 2400);

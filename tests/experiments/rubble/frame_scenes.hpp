@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Scenes of rigid pieces for measurements through the library, and what is read of their frames.
+// Scenes of rigid pieces for measurements through the library, and the figures of their frames.
 #pragma once
 
 #include <vector>

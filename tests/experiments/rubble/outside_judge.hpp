@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What somebody sees of a frame who knows places alone: overlaps of pieces, the shape of a heap.
+// A frame judged from places alone: overlaps of pieces, the shape of a heap.
 #pragma once
 
 #include <array>

@@ -15,7 +15,7 @@ using namespace sunder::test;
 
 namespace {
 
-/// What is measured of one heap.
+/// The measurements of one heap.
 struct Outcome {
   HeapShape shape;
   double ms = 0;  ///< of the processor for each simulated second

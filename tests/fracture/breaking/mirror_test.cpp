@@ -106,7 +106,7 @@ std::set<FaceKey> mirrored(const std::set<FaceKey>& faces, const MirrorBody& bod
   return images;
 }
 
-/// What one breaking step makes of a mirror body.
+/// The result of one breaking step of a mirror body.
 struct Outcome {
   Tension tension;
   FractureReport report;
@@ -140,7 +140,7 @@ std::set<std::uint32_t> points_on_plane(const MirrorBody& body) {
   return points;
 }
 
-/// The first vertex on the mirror's plane whose fan is not its own image.
+/// The first vertex on the mirror's plane with a fan that is not its own image.
 std::optional<std::uint32_t> one_of_two(const Outcome& outcome, const MirrorBody& body) {
   for (const FanEvent& fan : outcome.report.fans) {
     if (body.image_of_point[fan.point] != fan.point) continue;
@@ -162,7 +162,7 @@ TEST_CASE("the first breaking step of a mirror-symmetric body is mirror-symmetri
   // Where all directions are equally tense, starts of one tie follow each other round corners and
   // have no side in common.
   if (crack == CrackMode::object && field == Field::hydrostatic) return;
-  // Fields whose planes at a vertex on the mirror's plane are not their own images: see below.
+  // Fields with planes that are not their own images at vertices on the mirror's plane: see below.
   const bool chooses =
       field == Field::hydrostatic ||
       (joint == Joint::bridge && (field == Field::random || field == Field::smooth));

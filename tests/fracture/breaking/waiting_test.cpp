@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Vertices over their threshold whose fan is empty or refused: counted once, tested again when
-// their stress changes.
+// Vertices over their threshold with an empty or refused fan: counted once, tested again when their
+// stress changes.
 #include <catch2/catch.hpp>
 #include <random>
 #include <set>

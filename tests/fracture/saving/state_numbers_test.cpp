@@ -126,7 +126,7 @@ TEST_CASE("a NaN in any column is named within a step, and no step crashes on it
         const bool evolves =
             std::ranges::find(evolving, column.name, &NumberColumn::name) != evolving.end();
         CHECK(names(check_numbers(*sick, NumbersOf::columns), column.name) == evolves);
-        // What a NaN makes of a step may be anything but a crash or a hang.
+        // A step with a NaN may have any result but a crash or a hang.
         if (column.name.starts_with("scene.")) continue;  // settings have been judged when read
         advance(*sick);
       }

@@ -41,7 +41,7 @@ Scene pulled_bar() {
   return scene;
 }
 
-/// What holds of labels, anchors and faces after every step.
+/// The laws of labels, anchors and faces after every step.
 void hold_laws(const Simulation& sim) {
   const Cells& cells = sim.state->cells;
   const CrackLabels& cracks = cells.cracks;

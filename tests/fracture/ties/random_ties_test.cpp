@@ -52,7 +52,7 @@ bool tie(Cells& cells, ContactMemory& contact, HalfFaceId face) {
   if (!split.did) return false;
   for (int i = 0; i < split.vertex_count; ++i) append_copy(cells, split.split_vertices[i].old_row);
   Tie made{.face = split.face, .opposite = split.opposite};
-  // Spent as soon as anybody looks: what is drawn is taken out of the list until it is its turn.
+  // Spent at the first look: a drawn tie is taken out of the list until its turn comes.
   for (TieCorner& corner : made.corners) corner = {1, 1, 2, 1};
   contact.ties.push_back(made);
   return true;
