@@ -233,7 +233,7 @@ std::vector<Scenario> motions() {
   const Outcome gains = Outcome::gains, diverges = Outcome::diverges;
   using Expected = std::map<std::string, Outcome>;
   using Names = std::vector<std::string>;
-  // Implicit Euler linearised at the step's begin, and methods that fall back on it; and at its
+  // Implicit Euler linearised where the step begins, with methods that fall back on it; and at its
   // end.
   const Names at_start = {"implicit Euler", "Broyden", "corotational"};
   const Names at_end = {"implicit Euler, predicted", "Broyden, factor", "Newton with CG",
