@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Thin things of glass and what strikes them: panes, a cup, a vase, a beam, a tile."""
+"""Thin things of glass and the bodies that strike them: panes, a cup, a vase, a beam, a tile."""
 import math
 
 import numpy

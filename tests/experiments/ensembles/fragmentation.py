@@ -26,8 +26,8 @@ FRACTURE_ENERGY = 40  # J/m^2
 
 
 def plan():
-    """What is run: (level, member, changes, what they are called). All kinds of members in turn, so that what is there after any
-    time is even."""
+    """The runs: (level, member, changes, their name). All kinds of members in turn, so that the
+    finished runs are even at any time."""
     kinds = [(level, count, [], "") for level, count in {**LEVELS, "starts": 10}.items()]
     kinds += [("2x", 5, changes, called) for called, changes in STEPS.items()]
     order = sorted((m / count, k) for k, (_, count, _, _) in enumerate(kinds) for m in range(count))

@@ -70,7 +70,8 @@ def turned(rows, points):
 
 
 def read_msh(text):
-    """Points and tetrahedra of what `sunder-mesh` writes: one block of nodes numbered from 1, MSH 4.1."""
+    """Points and tetrahedra of `sunder-mesh`'s output: one block of nodes numbered from 1, MSH
+    4.1."""
     part = lambda name: text.split(f"${name}\n")[1].split(f"\n$End{name}")[0].split("\n")
     nodes, elements = part("Nodes"), part("Elements")
     count = int(nodes[0].split()[1])
