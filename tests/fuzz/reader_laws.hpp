@@ -19,7 +19,7 @@ struct FuzzTarget {
   int format = -1;
 };
 
-/// Every reader: one a format of meshes, and those of the small files beside.
+/// Every reader: one per format of meshes, and those of the small files.
 std::span<const FuzzTarget> fuzz_targets();
 
 /// The reader of that name; none: a null pointer.

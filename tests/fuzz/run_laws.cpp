@@ -112,7 +112,7 @@ std::uint64_t fnv(std::string_view bytes) {
   return hash;
 }
 
-/// A few steps, each told to hurry: whatever the settings ask for, it must come to an end.
+/// A few steps, each with `hurry` set: whatever the settings, it must come to an end.
 std::string bad_steps(Simulation& sim, int steps) {
   const std::atomic<bool> hurry = true;
   sim.hurry = &hurry;

@@ -132,7 +132,7 @@ Cell tetrahedron_spin(const Method& method) {
   return {left < 1.01 ? Outcome::holds : Outcome::gains, left};
 }
 
-/// A step of changing length, beside the same with all caches thrown away. Figure: the difference.
+/// A step of changing length, against the same with all caches thrown away. Figure: the difference.
 Cell changing_step(const Method& method) {
   const Body body = flight_body();
   std::vector<Vec3> ends[2];
@@ -196,7 +196,7 @@ bool iterates(const Method& method) {
          s.corotational_solve == CorotationalSolve::prefactored;
 }
 
-/// Iterations cut after two: the run must tell, keep momentum, and stay sound by the factor.
+/// Iterations cut after two: the run must report it, keep momentum, and stay sound by the factor.
 /// Figure: the drift of momentum, relative.
 Cell cut_short(const Method& method) {
   if (!iterates(method)) return {};

@@ -18,7 +18,7 @@ inline Simulation built(Scene scene) {
   return std::move(*sim);
 }
 
-/// Integrators and models beside floating_frame and verlet.
+/// Integrators and models besides floating_frame and verlet.
 inline std::vector<IntegratorSettings> other_methods() {
   using enum Integrator;
   const auto corotational = ElasticModel::corotational;

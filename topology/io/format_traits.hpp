@@ -31,7 +31,7 @@ struct FormatTraits {
   KindSet cells = 0;
   bool holds_regions = true;
   bool holds_region_names = false;
-  /// Regions are words there, such as sets: their numbers and full names go beside (see
+  /// Regions are words there, such as sets: their numbers and full names go into a list (see
   /// named_regions.hpp).
   bool regions_are_words = false;
   bool holds_entities = false;

@@ -42,7 +42,7 @@ struct FileEncoding {
   bool is_binary() const { return encoding == Encoding::binary; }
 };
 
-/// How each format is known and read, beside its traits.
+/// How each format is known and read, besides its traits.
 struct FormatCode {
   /// Whether a file's first bytes are those of this format. `text` is the whole file.
   bool (*is_like)(std::string_view text);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Holds the darts of a map against its rows, and both against the rules of a 3-map.
+// Compares the darts of a map with its rows, and checks both by the rules of a 3-map.
 #include "topology/kernel/dart_map.hpp"
 #include "topology/kernel/split_face_impl.hpp"
 #include "topology/kernel/volume_map.hpp"

@@ -100,7 +100,7 @@ std::vector<Finding> check_split_laws(const Counts& before, const Counts& after,
 
 Counts counts_after(const Counts& before, const VolumeMap& map, std::span<const FaceSplit> splits,
                     std::size_t created) {
-  // Which of several components had a boundary is not told by counts.
+  // Counts do not show which of several components had a boundary.
   if (!before.betti) return count_cells(map);
   Counts after = before;
   after.components += created;

@@ -110,7 +110,7 @@ std::vector<std::uint32_t> parts_by_faces(const FileMesh& mesh) {
 }  // namespace
 
 Finding merge_points(FileMesh& mesh, double distance) {
-  // Not so small that cubes far from the origin could not be told apart.
+  // Not so small that cubes far from the origin could not be distinguished.
   double extent = std::numeric_limits<double>::min();
   for (const Point& p : mesh.points) {
     for (const double x : p) extent = std::isfinite(x) ? std::max(extent, std::abs(x)) : extent;

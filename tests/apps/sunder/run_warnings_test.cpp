@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Troubles of a run: each kind is told, with its steps and its size, and nothing where there is
+// Troubles of a run: each kind is reported, with its steps and its size, and nothing where there is
 // none.
 #include "apps/sunder/run/report/run_warnings.hpp"
 

@@ -224,7 +224,7 @@ TEST_CASE("a mesh is made second-order and linear again, and a scene takes it st
   CHECK(back->points.size() == bar.points.size());
   CHECK(back->tetrahedra.corners == bar.tetrahedra);
 
-  // The middle of an edge by a hundredth of the edge beside it.
+  // The middle of an edge is moved off it by a hundredth of the edge.
   raised->points[rows_of(*raised, CellKind::tetrahedron10)[0][4]][2] += 1e-3;
   REQUIRE(write_file_mesh(path("bar.msh"), *raised).empty());
   const test::Outcome curved = test::run_program("static " + path("scene.json"));

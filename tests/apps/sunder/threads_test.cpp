@@ -74,7 +74,7 @@ TEST_CASE("A scene takes the same bytes by rows and by CGAL's darts", "[run][ker
   CHECK(by[0].state->cells.map.kernel() == MapKernel::dense);
   CHECK(by[1].state->cells.map.kernel() == MapKernel::lcc);
   CHECK(by[0].state->fans > 10);
-  // All that is saved but the word that told them apart.
+  // All saved data but the one word that differs.
   for (Simulation& sim : by) sim.scene.topology = {};
   CHECK(saved_state(by[0]) == saved_state(by[1]));
 }

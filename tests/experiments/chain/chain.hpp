@@ -19,8 +19,9 @@ struct ChainSettings {
   double fracture_energy = 33;   ///< G_c, J/m^2
   double length = 1;             ///< m, of a bar; a ring has 2 pi
   double step = 0.1;             ///< of a wave's way through a cell, < 1
-  /// Bars bear E times this (cell / c) times the rate of strain beside E times the strain; strengths
-  /// are held against the latter. >= 0, and with the step: step^2 + 2 step viscosity < 1.
+  /// The stress of a bar is E times the strain plus E times this (cell / c) times the rate of
+  /// strain. The former decides about strength. >= 0, and with the step: step^2 + 2 step viscosity
+  /// < 1.
   double viscosity = 0;
   /// Pa, of each node: `cells` of a ring, `cells` + 1 of a bar with ends that do not split.
   std::vector<double> strength;
@@ -66,7 +67,7 @@ class Chain {
   void set_along(std::size_t node, double displacement, double speed);
   void set_outwards(std::size_t node, double displacement, double speed);
 
-  /// One step. The first one takes the energy that all later ones are held against.
+  /// One step. The first one takes the energy that all later ones are compared with.
   void step();
 
   double time() const { return time_; }

@@ -106,7 +106,7 @@ void print_judgement(const Simulation& sim) {
               percent * std::max(0.0, below.depth), 1e3 * below.depth, below.piece, below.pieces);
 }
 
-/// Tells when a piece is first seen through the floor, a tenth of a millimetre or more.
+/// Prints when a piece is first seen through the floor, a tenth of a millimetre or more.
 void watch_floor(const Simulation& sim, double time, bool& told) {
   if (told) return;
   const BelowPlanes below = below_planes(sim, 1e-4);

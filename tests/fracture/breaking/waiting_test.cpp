@@ -118,7 +118,7 @@ TEST_CASE("a waiting vertex that a neighbour's fan splits waits no longer", "[fr
     const FractureReport report = break_vertices({body.cells, body.state}, {}, scratch);
     CHECK(report.still_empty == 1);
     if (!split_rows(report).contains(3)) continue;
-    // It was tested again in the same call, and waits anew where its fan is empty still.
+    // It was tested again in the same call, and waits again where its fan is empty still.
     CHECK(body.cells.empty_fans.size() <= report.empty_fans);
     ++freed;
   }

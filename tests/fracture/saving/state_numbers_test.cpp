@@ -119,7 +119,7 @@ TEST_CASE("a NaN in any column is named within a step, and no step crashes on it
       seen.insert(column.name);
       for (const std::size_t place : {column.first_byte, column.last_byte}) {
         Result<Simulation> sick = restore(poisoned(bytes, place, sizeof(double)));
-        // A surface with a NaN, which is made anew, is refused.
+        // A surface with a NaN, which is made again, is refused.
         if (!sick) continue;
         const std::vector<Finding> found = check_numbers(*sick, NumbersOf::everything);
         CHECK(names(found, column.name));

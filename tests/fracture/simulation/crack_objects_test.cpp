@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Cracks as objects beside everything else that a user chooses of fracture.
+// Cracks as objects together with all other settings of fracture.
 #include <catch2/catch.hpp>
 #include <set>
 

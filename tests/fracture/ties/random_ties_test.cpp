@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Faces tied and released in random order: two maps, held against union-find and each other.
+// Faces tied and released in random order: two maps, compared with union-find and each other.
 #include <catch2/catch.hpp>
 #include <cstdlib>
 #include <map>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A host program: steps a scene, tells each piece's mass and motion as it comes off, writes a
+// A host program: steps a scene, prints each piece's mass and motion as it comes off, writes a
 // frame.
 #include <cstdio>
 #include <cstdlib>

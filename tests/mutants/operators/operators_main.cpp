@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The tests of topology and every fixture of the suite as test cases of one program, which tells
-// which mutants each of them asks for (`SUNDER_REACHED`: a file to write to), or with `--serve`
+// The tests of topology and every fixture of the suite as test cases of one program, which lists
+// the mutants that each of them reaches (`SUNDER_REACHED`: a file to write to), or with `--serve`
 // answers about one mutant after the other.
 #define CATCH_CONFIG_RUNNER
 #include <catch2/catch.hpp>

@@ -35,7 +35,7 @@ std::set<std::uint32_t> closed_edges(const std::vector<std::array<std::uint32_t,
 using MiddleNames = std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t>;
 
 /// Divides the classes `edges`; false when a name is missing. `inner`: edges that the map has now, which
-/// tell the one of three inside each tetrahedron that becomes eight.
+/// show the one of three inside each tetrahedron that becomes eight.
 bool divide(CellTwin& twin, const std::set<std::uint32_t>& edges, const MiddleNames& names,
             const std::set<std::pair<std::uint32_t, std::uint32_t>>& inner);
 

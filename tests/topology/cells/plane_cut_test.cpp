@@ -153,7 +153,7 @@ TEST_CASE("a cube cut by planes: areas and volumes as geometry has them", "[topo
       {{{1, 1, 1}, 2.75}, std::sqrt(3.0) / 2 / 16, 1.0 / 384, 2},  // a corner
       {{{1, -1, 0}, 0}, std::sqrt(2.0), 0.5, 2},                   // through two edges
       {{{0, 0, 2}, 2}, 0, 0, 1},                                   // a side of the cube
-      {{{0, 0, 1}, 7}, 0, 0, 1}};                                  // beside it
+      {{{0, 0, 1}, 7}, 0, 0, 1}};                                  // off it
   for (const Case& c : cases) {
     for (const MapKernel kernel : {MapKernel::dense, MapKernel::lcc}) {
       VolumeMap map = built(kuhn_box({2, 2, 2}, 0.5));
@@ -267,7 +267,7 @@ TEST_CASE("planes at any tolerance: what lies in them, what they divide, and the
         plane.offset += plane.normal[i] * x[i];
         size += 2 * std::abs(plane.normal[i] * x[i]);
       }
-      // Through a point, some roundings beside it, or anywhere near.
+      // Through a point, some roundings off it, or anywhere near.
       const std::size_t which = below(random, 3);
       if (which == 1) plane.offset += 40 * (unit(random) - 0.5) * epsilon * size;
       if (which == 2) plane.offset += (unit(random) - 0.5) * cell;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Random operations on cells of random bodies, on both kernels, each held against the laws and the twin.
+// Random operations on cells of random bodies, on both kernels, each checked by laws and the twin.
 #pragma once
 
 #include <cstdint>

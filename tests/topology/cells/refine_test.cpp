@@ -264,7 +264,7 @@ TEST_CASE("what only the try divided that had to be made anew is whole again",
   for (const MapKernel kernel : {MapKernel::dense, MapKernel::lcc}) {
     VolumeMap map = whole;
     map.set_kernel(kernel);
-    // First one end is wanted, then a green one beside it and the other end, which was left alone.
+    // First one end is wanted, then a green one next to it and the other end, which was left alone.
     bool tried = false;
     std::size_t asked = 0;
     const auto levels = refine(map, 2, [&](const VolumeMap& m, TetId t, TetId of) {

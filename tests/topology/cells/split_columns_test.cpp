@@ -14,7 +14,7 @@ using namespace sunder::test;
 
 namespace {
 
-/// A quarter of the rest volume of every tetrahedron at each vertex, counted anew.
+/// A quarter of the rest volume of every tetrahedron at each vertex, counted again.
 std::vector<double> volume_at_vertices(const VolumeMap& map) {
   std::vector<double> volume(map.vertices(), 0);
   for (const auto& corners : map.corners()) {

@@ -200,7 +200,7 @@ TEST_CASE("what is written has words for regions and keeps their numbers beside"
   Result<FileMesh> back = read_file_mesh(path);
   REQUIRE(back);
   CHECK(*back == mesh);
-  // Without the list beside the words are the names.
+  // Without the separate list the words are the names.
   std::filesystem::remove(folder.path() / "m.inp.regions");
   back = read_file_mesh(path);
   REQUIRE(back);

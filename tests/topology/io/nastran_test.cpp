@@ -229,7 +229,7 @@ TEST_CASE("Nastran's coordinates have sixteen characters, and what they lose is 
     CHECK(back->points[1][k] == Approx(mesh.points[1][k]).epsilon(1e-9));
   }
   CHECK(back->tetrahedra == mesh.tetrahedra);
-  CHECK(back->region_name == mesh.region_name);  // beside
+  CHECK(back->region_name == mesh.region_name);  // from the separate list
   // A second time nothing is lost.
   CHECK(std::ranges::none_of(write_file_mesh(path, *back),
                              [](const Finding& f) { return f.severity != Severity::note; }));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Cells of every kind and order through every format, version and encoding, and from each to each:
-// whole, or told.
+// whole, or reported.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <numeric>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every rule that `check` holds the darts of a map against, broken alone: its words, how often,
+// Every rule of `check` about the darts of a map, broken alone: its words, how often,
 // where.
 #include <memory>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Labels of components after random changes of random bodies, held against a twin that floods the
-// body anew and gives ids by the rule alone.
+// Labels of components after random changes of random bodies, compared with a twin that floods the
+// body again and gives ids by the rule alone.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <map>

@@ -12,7 +12,7 @@ using namespace sunder::test;
 
 namespace {
 
-/// Counts of the check, held against the map's: equal in every member, the volume to the bit.
+/// Counts of the check, compared with the map's: equal in every member, the volume to the bit.
 void hold_counts(const TetMesh& mesh) {
   const MeshCheck checked = check_file_mesh(file_mesh_of(mesh));
   const Result<VolumeMap> map = build_map(mesh, Severity::warning);

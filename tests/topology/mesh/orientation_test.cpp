@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Ties and long runs in a survey: which way a body is turned, which copy stays, in which order
-// places are told.
+// places are reported.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <limits>

@@ -36,7 +36,7 @@ Wide difference(const Point& a, const Point& b) {
           static_cast<long double>(a[2]) - b[2]};
 }
 
-/// From corner `from`: no digits are lost where another one is beside it.
+/// From corner `from`: no digits are lost where another one is next to it.
 double volume_of(const Corners& x, std::size_t from) {
   const Wide a = difference(x[(from + 1) % 4], x[from]), b = difference(x[(from + 2) % 4], x[from]),
              c = difference(x[(from + 3) % 4], x[from]);

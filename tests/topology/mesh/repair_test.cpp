@@ -33,7 +33,7 @@ bool has(const FileMesh& mesh, const std::string& code) {
   return std::ranges::find(findings, code, &Finding::code) != findings.end();
 }
 
-/// `count` copies of the body beside each other, touching nowhere.
+/// `count` copies of the body next to each other, touching nowhere.
 FileMesh several(std::size_t count) {
   FileMesh mesh = file_mesh_of(two_tetrahedra());
   const FileMesh one = mesh;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// All that a survey finds in careless meshes and in heaps of random tetrahedra, held against the
+// All findings of a survey in careless meshes and in heaps of random tetrahedra, compared with the
 // definitions: sets of points, and orbits by repeated union.
 #include <algorithm>
 #include <catch2/catch.hpp>

@@ -295,7 +295,7 @@ void read_element_sets(AbaqusReader& r) {
   for (int d = 1; d <= 3; ++d) number_labels(mesh, d, r.element_sets.names);
 }
 
-/// Whether the set is that of all nodes, told with the nodes themselves: it says nothing.
+/// Whether the set is that of all nodes, given with the nodes themselves: such a set adds nothing.
 bool is_all_nodes(const AbaqusReader& r, std::size_t set) {
   std::size_t nodes = 0;
   const AbaqusSets& sets = r.node_sets;

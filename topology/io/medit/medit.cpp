@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Reading MEDIT: keywords in any order, each with a count and that many rows. In binary
-// files keywords are numbers, and each tells where the next stands.
+// files keywords are numbers, and each gives the place of the next.
 #include "topology/io/medit/medit.hpp"
 
 #include <fmt/format.h>
@@ -23,7 +23,7 @@ struct CellSection {
   CellKind kind;
 
   std::size_t nodes() const { return traits_of(kind).nodes; }
-  /// A section beside it may tell the order of its nodes: it is read once all were seen.
+  /// Another section may give the order of its nodes: it is read once all were seen.
   bool has_order() const { return medit_order_of(kind) != nullptr; }
 };
 constexpr CellSection cell_sections[] = {
@@ -58,7 +58,7 @@ struct MeditReader {
   /// Whether a section of cells was read, by its place in the table.
   std::array<bool, std::size(cell_sections)> has_cells{};
   /// For each node of a kind as the file lists it, its place in our order; empty where no section
-  /// tells it.
+  /// gives it.
   std::array<std::vector<std::uint8_t>, cell_kinds> order;
   /// Sections of cells before the vertices, which are needed to judge them: read behind those. Cells
   /// of second order are read behind all.

@@ -34,7 +34,7 @@ HeldNumbers nastran_holds(const FileMesh& mesh);
 std::vector<Finding> lost_in_nastran(const FileMesh& mesh);
 
 /// The text of a file: GRID* and elements. Regions that are no properties are written as none. A
-/// comment tells which property stands for no region, where that is needed.
+/// comment names the property that stands for no region, where that is needed.
 std::string write_nastran(const FileMesh& mesh);
 
 }  // namespace sunder::io

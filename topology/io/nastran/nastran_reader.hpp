@@ -65,7 +65,7 @@ bool is_other_element(std::string_view card);
 /// Whether a card is met at the beginning of bulk data.
 bool is_bulk_card(std::string_view card);
 
-/// The comment that tells which property stands for no region, in files of ours.
+/// The comment that names the property that stands for no region, in files of ours.
 inline constexpr std::string_view no_region_mark = "$ no region: property ";
 
 /// The kind of a shape with so many nodes; the linear one where there is none.

@@ -168,7 +168,7 @@ void read_face(ObjReader& r, std::size_t at) {
   cell.begin(0, at);
   for (std::string_view word = next_in_line(r.s); !word.empty(); word = next_in_line(r.s)) {
     const std::size_t k = cell.rows.size();
-    if (k > most_corners) continue;  // told by add_face
+    if (k > most_corners) continue;  // reported by add_face
     cell.begin(k + 1, at);
     set_corner(r, cell, k, number_of(r, word));
   }

@@ -86,7 +86,7 @@ Number read_number(Scanner& s, std::string_view what) {
 /// Fails also with count_too_big. `what` in the plural ("nodes").
 std::size_t read_count(Scanner& s, std::string_view what, std::size_t least_bytes);
 
-/// Fails with bad_number or count_too_big, told of byte `at`, unless the rest can hold so many.
+/// Fails with bad_number or count_too_big, reported at byte `at`, unless the rest can hold so many.
 void check_count(const Scanner& s, std::size_t at, std::int64_t count, std::string_view what,
                  std::size_t least_bytes);
 

@@ -235,7 +235,7 @@ void skip_orientation(UnvLines& lines, std::int64_t type, std::size_t nodes) {
 }
 
 /// Number, type, tables of physical properties and of materials, colour, how many nodes; 780 has
-/// the tables' places beside their numbers.
+/// the tables' places besides their numbers.
 void read_elements(UnvReader& r, UnvLines& lines, bool is_old) {
   std::array<std::int64_t, 8> head{};
   const std::size_t needed = is_old ? 8 : 6;

@@ -131,7 +131,7 @@ std::uint8_t vtk_type_of(CellKind kind);
 std::vector<std::string> vtk_clashes(const FileMesh& mesh);
 
 /// Names of whole numbers that cells of some kind have and those of another lack: these get 0 in
-/// the grid, which no reader can tell from a number. (Reals get not-a-number, labels 0: read as none.)
+/// the grid, which no reader can distinguish from a number. (Reals get not-a-number, labels 0.)
 std::vector<std::string> vtk_fillings(const FileMesh& mesh);
 
 }  // namespace sunder::io

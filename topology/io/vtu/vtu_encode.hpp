@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Internal to topology/io: arrays as VTU files hold them beside raw bytes.
+// Internal to topology/io: arrays as VTU files hold them besides raw bytes.
 #pragma once
 
 #include <string>

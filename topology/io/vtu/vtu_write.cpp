@@ -147,7 +147,7 @@ void add_mesh(VtuWriter& out, const std::vector<Point>& points,
   out.xml += "</Cells>\n";
 }
 
-/// `counts`: the attributes of the piece that tell how many cells there are.
+/// `counts`: the attributes of the piece with the numbers of cells.
 void begin_file(VtuWriter& out, std::string_view type, std::size_t points,
                 std::string_view counts) {
   out.type = type;

@@ -36,7 +36,7 @@ struct SplitCells {
 SplitCells split_cells(FileMesh& mesh);
 
 /// Drops points that cells used in `before` and none uses now; returns how many. Rows of the others
-/// keep their order, and their numbers tell where they come from.
+/// keep their order, and their numbers name their origins.
 std::size_t drop_points_out_of_use(FileMesh& mesh, const std::vector<bool>& used_before);
 
 /// Which points a cell uses.

@@ -101,7 +101,7 @@ struct Trial {
     }
   }
 
-  /// Holds the kernel's own fan against the faces about to be split.
+  /// Compares the kernel's own fan with the faces about to be split.
   void check_fan(const SplitFan& fan, const std::vector<TrueStep>& steps) {
     if (!kernel.fan) {
       ++not_asked;

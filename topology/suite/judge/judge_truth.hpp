@@ -49,7 +49,7 @@ struct Truth {
   std::vector<TrueOperation> operations;
   /// Where all operations are breaks: the same ones, last first. They lead to the same map.
   std::vector<TrueOperation> backwards;
-  /// The fixture's own expectations, held against the above; and the laws of a split.
+  /// The fixture's own expectations, compared with the above; and the laws of a split.
   Checks checks;
 };
 

@@ -26,7 +26,7 @@ struct JudgedKernel {
   /// reason to refuse: this is about topology.
   std::function<std::vector<Finding>(const TetMesh&)> load;
   /// Whether `load` gives every finding of `check_mesh` (warnings and notes too), so that its codes
-  /// can be held against the fixture's; otherwise only whether it refuses counts.
+  /// can be compared with the fixture's; otherwise only its refusals count.
   bool names_findings = false;
   /// Needs: a side of a face of the body.
   std::function<SplitAnswer(FaceSide)> split;

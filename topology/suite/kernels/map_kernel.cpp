@@ -27,12 +27,12 @@ constexpr std::array<const char*, 4> detection_names = {"walks", "the dirty coun
 struct Body {
   std::optional<VolumeMap> map;
   std::vector<std::array<std::uint32_t, 4>> file;
-  /// Updated after every split, which tells whether it separated.
+  /// Updated after every split, which reports whether it separated.
   Components labels;
   /// Updated by each way of detection with all splits since the last look at the faults.
   std::array<Components, all_detections.size()> batched;
   std::vector<FaceSplit> batch;
-  /// Gluing makes labels void; they are walked anew when somebody asks.
+  /// Gluing makes labels void; they are computed again at the next question.
   bool labels_are_void = true;
   ComponentScratch scratch;
   /// No tetrahedron is flat or folded against its neighbours: Betti numbers follow from the
@@ -162,7 +162,7 @@ bool glue(Body& body, FaceSide a, FaceSide b) {
   return true;
 }
 
-/// Whether two labellings part the same rows; none() beside none() only.
+/// Whether two labellings part the same rows; none() pairs with none() only.
 template <class Row>
 bool same_partition(const std::vector<Row>& a, const std::vector<Row>& b) {
   if (a.size() != b.size()) return false;

@@ -21,7 +21,7 @@ struct RandomOptions {
   /// Fans with at least one face, over all families together.
   std::size_t fans = 1000;
   std::uint64_t seed = 1;
-  /// Bodies beside the generated ones, a family each. Needs: the kernel can take them.
+  /// Bodies besides the generated ones, a family each. Needs: the kernel can take them.
   std::vector<NamedMesh> meshes;
   /// Families with bodies of possibly more tetrahedra than this are left out (`meshes` are not).
   std::size_t largest = 10000;

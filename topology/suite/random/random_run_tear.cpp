@@ -247,7 +247,7 @@ void replay(TearRun& run, Tear& tear) {
   on_second(run, tear, tear.parted.size(), [](Trial&) {});
 }
 
-/// The faces of a break as the suite has them, held against the kernel's own.
+/// The faces of a break as the suite has them, compared with the kernel's own.
 Faces judged_break(Trial& trial, const BreakPoint& broken) {
   const std::vector<Step> steps = steps_of(broken, trial.twin, trial.twin, trial.body);
   judge_break(trial, broken, steps);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One body on one kernel with the twin beside it: every step is judged as it is made.
+// One body on one kernel and on the twin: every step is judged as it is made.
 #pragma once
 
 #include <cstddef>

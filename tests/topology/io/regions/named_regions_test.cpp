@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Regions that a format knows by words: the words, the numbers they get, the list beside.
+// Regions that a format knows by words: the words, the numbers they get, the separate list.
 #include "topology/io/regions/named_regions.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Cells of every kind cut into simplices, held against a twin that takes them one by one.
+// Cells of every kind cut into simplices, compared with a twin that takes them one by one.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -145,7 +145,7 @@ SplitCells split(FileMesh& mesh) {
 FileMesh nearly_boxes(Random& random) {
   FileMesh mesh;
   const double shake = below(random, 3) == 0 ? 0 : unit(random);
-  // 4e-6: off the plane by about as much as is told.
+  // 4e-6: off the plane by about the reported limit.
   const double bend = std::array{0.0, 1e-9, 4e-6, 1e-4}[below(random, 4)];
   for (const CellKind kind : all_cell_kinds) {
     if (traits_of(kind).dimension < 2 || below(random, 2) == 0) continue;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Boundary faces that go through each other: planted ones, and every pair held against every other
+// Boundary faces that go through each other: planted ones, and every pair compared
 // by exact signs.
 #include <algorithm>
 #include <random>

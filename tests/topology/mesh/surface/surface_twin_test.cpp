@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// All that is said of surfaces, careless ones too, held against sets, maps and whole numbers.
+// All findings about surfaces, careless ones too, compared with sets, maps and whole numbers.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>

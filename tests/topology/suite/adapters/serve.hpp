@@ -207,7 +207,7 @@ inline void say(std::ostream& out, const std::optional<Parted>& parted) {
 template <class Kernel>
 int serve(Kernel&& kernel, const std::string& name) {
   std::ios::sync_with_stdio(false);
-  // Some libraries tell things on std::cout, where only answers belong.
+  // Some libraries print messages on std::cout, where only answers belong.
   std::ostream out(std::cout.rdbuf());
   std::cout.rdbuf(std::cerr.rdbuf());
   std::string word;
