@@ -261,7 +261,7 @@ TEST_CASE("case 13: a bar on end supports carries 3 rho g L^2 / (4 h) below its 
   for (std::size_t v = 0; v < body.rest.size(); ++v) {
     const Vec3& x = body.rest[v];
     if (std::abs(x.x()) < length / 2 - 1e-9 || x.z() > -height / 2 + 1e-9) continue;
-    // Three vertices an edge.
+    // Three vertices per edge.
     loads.force[v].z() += weight / 6;
   }
   settle(state, body, wide_step, loads);

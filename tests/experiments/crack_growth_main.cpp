@@ -70,7 +70,7 @@ int print_modes(int count, char** files, const Material& concrete) {
       // rest swings back to the same load a period later: grips, and two per cent of damping.
       bar.grip = cut || k < 0 ? 0 : 0.25;
       bar.damping = cut || k < 0 ? 0 : 5e-6;
-      // Bars that are no cubes turn to dust in mode `paper`, at seconds a step.
+      // Bars that are no cubes turn to dust in mode `paper`, at seconds per step.
       if (k < 0) print("cubes", bar, CrackMode::paper);
       print(k < 0 ? "cubes" : files[k], bar, CrackMode::object);
       // Ties need neither grips nor damping.

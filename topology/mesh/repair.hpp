@@ -35,8 +35,8 @@ Finding drop_duplicate_tetrahedra(FileMesh& mesh);
 /// Leaves the mesh as it is, with an error, where no map can be built (see build_map).
 Finding split_nonmanifold(FileMesh& mesh);
 
-/// Tetrahedra of the largest part connected by faces stay (on a tie that with the lowest row), and
-/// cells of lower dimension with all points in it. O(tetrahedra).
+/// Keeps the tetrahedra of the largest part connected by faces (on a tie that with the lowest row),
+/// and cells of lower dimension with all points in it. O(tetrahedra).
 Finding keep_largest_component(FileMesh& mesh);
 
 /// Tetrahedra of negative volume have two points swapped.

@@ -88,7 +88,7 @@ struct FindingWords {
 /// Appends a finding when it has a place, and its places where the survey keeps them.
 void report(Survey& survey, const FindingWords& words, const Places& places);
 
-/// Rows and darts are numbered in 32 bits, 12 darts a tetrahedron.
+/// Rows and darts are numbered in 32 bits, 12 darts per tetrahedron.
 inline constexpr std::size_t most_tetrahedra = 0xffffffffU / 12;
 inline constexpr std::size_t most_points = 0xffffffffU;
 

@@ -6,11 +6,11 @@
 
 namespace sunder::accuracy {
 
-/// One blow twice, with windows at every blow and by energy. Small blocks of 1 to 3 cells a side,
+/// One blow twice, with windows at every blow and by energy. Small blocks of 1 to 3 cells per side,
 /// turned at random and spinning: onto the floor, into each other, onto one that lies on the floor,
-/// and several thrown together over a floor. Speeds are such that the energy of the blow is a
-/// thirtieth to a thousand times the need of a block's weakest star, steps are 0.5 to 50 L/c; a
-/// hundredth of the strength counts as a blow, so that the energy decides.
+/// and several thrown together over a floor. The energy of the blow is a thirtieth to a thousand
+/// times the need of a block's weakest star. Steps are 0.5 to 50 L/c. A hundredth of the strength
+/// counts as a blow, so that the energy decides.
 struct BlowOutcome {
   bool breaks_always = false, breaks_by_energy = false;
   bool opens_always = false, opens_by_energy = false;
@@ -32,7 +32,7 @@ struct BlowCounts {
 /// Blows `first` to `first + count - 1`.
 BlowCounts run_blows(std::uint64_t first, std::uint64_t count);
 
-/// The certificate of the rung `rubble` under blows of the same kinds, with energies of a
+/// The certificate of the rung `rubble` under blows of the same kinds. Their energies are a
 /// thousandth to a thousand times the need of a block's weakest star.
 struct CertificateCounts {
   std::uint64_t blows = 0;

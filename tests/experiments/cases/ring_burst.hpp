@@ -59,8 +59,8 @@ struct ChainRingOutcome {
 };
 
 /// The same strengths, material, rate and end on `cells` bars, in steps of `step` of a wave's way
-/// through one, with a viscosity that is none of the program's own. Needs a fracture energy; the
-/// mesh, step and viscosity of `burst` do not count.
+/// through one. The viscosity is none of the program's own. Needs a fracture energy; the mesh, step
+/// and viscosity of `burst` do not count.
 ChainRingOutcome run_ring_on_chain(const RingBurst& burst, int cells, double step = 0.1,
                                    double viscosity = 0);
 

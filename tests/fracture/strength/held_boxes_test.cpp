@@ -203,7 +203,7 @@ TEST_CASE("what slides along free axes goes on for ever, and its ledgers close",
   const double mass = 1000 * 0.2 * 0.2 * 0.1;
   // 3 m: twenty radii of the body, and its frame has to follow.
   const Ledgers ledgers = run(sim, 100);
-  // E d^2 times a length, 10^5 J for the 3 cm of a step, has to vanish: to some 1e-11 J a step.
+  // E d^2 times a length, 10^5 J for the 3 cm of a step, has to vanish: to some 1e-11 J per step.
   CHECK(ledgers.energy < 1e-8);
   CHECK((momentum_of(sim) - before - ledgers.given.head<3>()).norm() < 1e-9 * before.norm());
   CHECK(std::abs(ledgers.supports[2] - 0.1 * 5 * mass) < 1e-9);

@@ -106,8 +106,8 @@ TEST_CASE("a falling cube never gains energy and never rebounds faster than it c
   }
   CHECK(highest <= start + 1e-9 * std::abs(start));
   CHECK(fastest <= 1);
-  // The scheme remembers accelerations, so a step may give back a little of the energy that the one
-  // before took from the struck layer (a sixth of the mass, 0.17 of the energy): a fifth at most.
+  // The scheme remembers accelerations, so a step may give back a little of the energy taken before
+  // from the struck layer (a sixth of the mass, 0.17 of the energy). A fifth of it is the bound.
   CHECK(largest_regain <= 0.034 * impact);
 }
 

@@ -76,8 +76,8 @@ struct Twin {
 
 /// How many tetrahedra the search of an update has to look at; `label`: the components before it.
 /// In each component, parts grow from both sides of its suspect faces, in the order of their
-/// tetrahedra, one tetrahedron each in turn, until at most one grows (exact) or none. That one
-/// grows to its end if the rest that no part closed may not be the largest.
+/// tetrahedra. They grow by one tetrahedron each in turn, until at most one part grows (exact) or
+/// none. That one grows to its end if the rest that no part closed may not be the largest.
 std::size_t looked_at(const VolumeMap& map, std::span<const FaceSplit> splits, Detection way,
                       const std::vector<std::size_t>& label) {
   std::map<std::size_t, std::set<std::size_t>> sources;

@@ -223,7 +223,7 @@ TEST_CASE(
         REQUIRE(check(nodes, map).empty());
         REQUIRE(check(map).empty());
       }
-      // Apart altogether: four vertices and six edges a tetrahedron.
+      // Apart altogether: four vertices and six edges per tetrahedron.
       CHECK(map.vertices() == 10 * map.tetrahedra());
       while (!splits.empty()) {
         join_edge_nodes(nodes, map, splits.back().face, splits.back().opposite);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// OBJ read: a line a point or a cell, joined to the next where it ends with a
+// OBJ read: a line per point or cell, joined to the next where it ends with a
 // backslash.
 #include "topology/io/surface/obj.hpp"
 

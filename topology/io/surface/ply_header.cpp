@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// PLY's header: a line a property, under a line an element.
+// PLY's header: a line per property, under a line per element.
 #include "topology/io/surface/ply_header.hpp"
 
 #include <fmt/format.h>

@@ -62,7 +62,7 @@ void expect_row(Table& table, std::size_t row, std::size_t rows, std::string_vie
 /// Fails where a line follows.
 void expect_end(Table& table, std::size_t rows, std::string_view what);
 
-/// Columns for `numbers` numbers a row: as the comment names them where its names fit, else
+/// Columns for `numbers` numbers per row: as the comment names them where its names fit, else
 /// `attribute` or `attribute_1`, `attribute_2`, ...
 std::vector<DataColumn> new_columns(std::span<const ColumnName> names, std::size_t numbers,
                                     std::size_t rows);

@@ -49,7 +49,7 @@ bool is_new_name(Draft& draft, VtkNames& names, const VtkArrayHead& head);
 bool is_vtk_label(const VtkArrayHead& head);
 
 /// Takes the regions, entities or ids of a piece. Where a list has them already, they are data.
-/// Needs: is_vtk_label; one value a row. Fails with number_out_of_range.
+/// Needs: is_vtk_label; one value per row. Fails with number_out_of_range.
 void add_vtk_label(Draft& draft, VtkPiece& piece, const VtkArrayHead& head,
                    const std::vector<std::int64_t>& values);
 

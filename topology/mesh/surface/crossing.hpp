@@ -32,8 +32,9 @@ struct Crossings {
   bool is_finished = true;
 };
 
-/// Faces that cross each other, by their triangles; those of one face are not compared with each
-/// other, and those without area against none. O(n log n) where few boxes of triangles overlap; ends after 400 looks a triangle.
+/// Faces that cross each other, by their triangles. Triangles of one face are not compared with
+/// each other, and those without area with none. O(n log n) where few boxes of triangles overlap.
+/// Ends after 400 comparisons per triangle.
 Crossings find_crossings(const std::vector<Point>& points,
                          const std::vector<SurfaceTriangle>& triangles);
 

@@ -53,7 +53,7 @@ struct Truth {
   Checks checks;
 };
 
-/// Whether union-find can hold it: rows in range, four different points a tetrahedron, no face in
+/// Whether union-find can hold it: rows in range, four different points per tetrahedron, no face in
 /// more than two, at least one tetrahedron.
 bool is_body(const TetMesh& mesh);
 

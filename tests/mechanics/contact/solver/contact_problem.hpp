@@ -16,7 +16,7 @@ namespace sunder::test {
 struct RowProblem {
   std::vector<RespondingBody> bodies;
   std::vector<Constraint> rows;
-  std::vector<RowResponse> responses;  ///< one a row, from `prepare_rows` on
+  std::vector<RowResponse> responses;  ///< one per row, from `prepare_rows` on
   double step = 1e-2;
 
   RowSolve solve() { return {rows, responses, bodies, step}; }
