@@ -2,7 +2,8 @@
 // Fragments of a ring that flies apart. `ring_burst`: cracks that open at once, over the rate, and
 // the slope of their size. `ring_burst --ties`: cracks that take energy, next to Zhou's law and the
 // one-dimensional program; `ring_burst --chain`: that program alone. Both take
-// `--seeds N` (10), `--places N`, `--spread S` and `--rate R`, --ties also `--cells N` and `--step S`.
+// `--seeds N` (10), `--places N`, `--spread S` and `--rate R`, --ties also `--cells N` and `--step
+// S`.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

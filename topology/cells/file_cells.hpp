@@ -30,8 +30,8 @@ struct DividedFile {
 /// part keeps its parent's row and number. Tetrahedra stand as the map has them: inverted ones are
 /// turned.
 ///
-/// Needs: `map` built of `mesh`, and all operations on it since, in their order; in each of them edges
-/// of the same two points divided alike.
+/// Needs: `map` built of `mesh`, and all operations on it since, in their order; in each of them
+/// edges of the same two points divided alike.
 DividedFile divide_file(FileMesh& mesh, const VolumeMap& map, std::span<const CellEdit> edits,
                         const std::set<std::string>& shared = {});
 

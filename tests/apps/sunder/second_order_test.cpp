@@ -187,7 +187,8 @@ TEST_CASE("a body of second order runs, and what needs the first order says so",
   REQUIRE(written);
   CHECK(rows_of(*written, CellKind::tetrahedron10).size() == 4 * 6);
   CHECK(written->points.size() == 9 * 3 * 3);
-  // Nodes of edges lie where VTK has them: in the middle of 01, 12, 02, 03, 13, 23, but for the bending.
+  // Nodes of edges lie where VTK has them: in the middle of 01, 12, 02, 03, 13, 23, but for the
+  // bending.
   constexpr std::size_t ends[6][2] = {{0, 1}, {1, 2}, {0, 2}, {0, 3}, {1, 3}, {2, 3}};
   const auto cells = rows_of(*written, CellKind::tetrahedron10);
   for (std::size_t row = 0; row < cells.size(); ++row) {

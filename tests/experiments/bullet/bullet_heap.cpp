@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// `bullet_heap SEED SECONDS PER_SECOND [MARGIN mm] [sat|gjk] [ours a second]`: the same chips by the
-// rubble solver and by Bullet in double, in one run. Not part of the build: docs/lab/rubble_measured.md
-// has the line that compiles it.
+// `bullet_heap SEED SECONDS PER_SECOND [MARGIN mm] [sat|gjk] [ours a second]`: the same chips by
+// the rubble solver and by Bullet in double, in one run. Not part of the build:
+// docs/lab/rubble_measured.md has the line that compiles it.
 #include <btBulletDynamicsCommon.h>
 
 #include <Eigen/Eigenvalues>
@@ -24,7 +24,8 @@ using namespace sunder::test;
 
 namespace {
 
-/// Lengths in Bullet's world for each metre: its threshold of contacts is 2 cm, whatever their size.
+/// Lengths in Bullet's world for each metre: its threshold of contacts is 2 cm, whatever their
+/// size.
 constexpr double scale = 100;
 
 btVector3 to_bullet(const Vec3& x) { return {x[0], x[1], x[2]}; }

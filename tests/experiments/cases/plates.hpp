@@ -70,8 +70,8 @@ struct TipPlace {
   double fork = 0;           ///< m, radius of the smallest circle with two groups or more; 0: none
 };
 
-/// The tip of the main crack now. Two of its faces on a ring two cells wide are of one group when no more than two
-/// and a half cells apart, over others between them.
+/// The tip of the main crack now. Two of its faces on a ring two cells wide are of one group when
+/// no more than two and a half cells apart, over others between them.
 TipPlace tip_of(const std::vector<CrackTrace>& traces, const PlateCase& plate, double time);
 
 /// Speed of the tip about each place, m/s: slope of the line through those within 2.5 us.

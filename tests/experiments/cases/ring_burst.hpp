@@ -40,8 +40,8 @@ struct RingOutcome {
   double energy_per_area = 0;     ///< kinetic and strain energy lost / area of cracks, J/m^2
 };
 
-/// Of sections that all have the least strength, by `chain::zhou_size` and `chain::glenn_size`. Need
-/// a fracture energy.
+/// Of sections that all have the least strength, by `chain::zhou_size` and `chain::glenn_size`.
+/// Need a fracture energy.
 double zhou_fragments(const RingBurst& burst);
 double glenn_fragments(const RingBurst& burst);
 

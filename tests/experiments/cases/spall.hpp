@@ -47,7 +47,8 @@ struct ChainSpallOutcome {
 };
 
 /// The same pulse, material and end on `cells` bars, in steps of `step` of a wave's way through
-/// one. Needs a fracture energy and a `front_length`; the step and viscosity of `spall` do not count.
+/// one. Needs a fracture energy and a `front_length`; the step and viscosity of `spall` do not
+/// count.
 ChainSpallOutcome run_spall_on_chain(const Spall& spall, int cells, double step = 0.1);
 
 }  // namespace sunder::accuracy

@@ -167,8 +167,9 @@ TEST_CASE("the first breaking step of a mirror-symmetric body is mirror-symmetri
       field == Field::hydrostatic ||
       (joint == Joint::bridge && (field == Field::random || field == Field::smooth));
   std::size_t split = 0;
-  // Of the first 120 bodies of each kind 9 of 2 400 break otherwise, of both orders alike and all with
-  // crack objects: those that grow towards each other across the plane (order 1: 4, order 2: 5).
+  // Of the first 120 bodies of each kind 9 of 2 400 break otherwise, of both orders alike and all
+  // with crack objects: those that grow towards each other across the plane (order 1: 4, order 2:
+  // 5).
   const std::uint64_t first = order == 1 ? 0 : 20;
   for (std::uint64_t seed = first; seed < first + 12; ++seed) {
     INFO("crack " << int(crack) << " seed " << seed << " field " << int(field) << " joint " << int(joint) << " order " << order);

@@ -16,7 +16,8 @@ using namespace sunder;
 
 namespace {
 
-/// Tetrahedra that hang together by the faces of a whole body that are not free, each by the lowest of its part.
+/// Tetrahedra that hang together by the faces of a whole body that are not free, each by the lowest
+/// of its part.
 std::vector<std::uint32_t> parts_of(const DenseMap& whole, const std::vector<char>& is_free) {
   UnionFind parts(whole.tetrahedra());
   for (std::size_t f = 0; f < 4 * whole.tetrahedra(); ++f) {

@@ -60,8 +60,8 @@ struct MeditReader {
   /// For each node of a kind as the file lists it, its place in our order; empty where no section
   /// gives it.
   std::array<std::vector<std::uint8_t>, cell_kinds> order;
-  /// Sections of cells before the vertices, which are needed to judge them: read behind those. Cells
-  /// of second order are read behind all.
+  /// Sections of cells before the vertices, which are needed to judge them: read behind those.
+  /// Cells of second order are read behind all.
   struct Early {
     std::size_t place;
     /// Of the keyword, and behind it.

@@ -13,8 +13,8 @@ namespace sunder::io {
 /// Whether a file begins with a data set: a line -1, then a line with its number.
 bool is_unv(std::string_view text);
 
-/// Reads nodes, elements and groups, which become regions; an element's table of physical properties
-/// is its region where its dimension has no groups, else its entity. Throws ReadFailure.
+/// Reads nodes, elements and groups, which become regions; an element's table of physical
+/// properties is its region where its dimension has no groups, else its entity. Throws ReadFailure.
 Draft read_unv(std::string_view text);
 
 /// The kinds of cells that are written.

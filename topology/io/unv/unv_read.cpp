@@ -309,8 +309,8 @@ void add_columns(UnvReader& r) {
   mesh.point_data.push_back({"color", 1, NumberType::int64, std::move(r.node_colors.values)});
 }
 
-/// Tables of properties: where cells of a dimension are in no group they are their regions. Those that
-/// are all the first (or 0) say nothing.
+/// Tables of properties: where cells of a dimension are in no group they are their regions. Those
+/// that are all the first (or 0) say nothing.
 void take_tables(FileMesh& mesh) {
   for (int d = 0; d < 4; ++d) {
     bool has_regions = false, are_usual = true;

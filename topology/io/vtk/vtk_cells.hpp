@@ -32,8 +32,8 @@ struct VtkPiece {
   std::size_t points = 0;
   /// The kind of each of its cells, or of its parts; -1 where it was left out.
   std::vector<std::int8_t> list_of_cell;
-  /// Into how many parts each was cut: poly-vertices, polylines and strips become vertices, edges and
-  /// triangles, which have the data of the whole. Empty where there are none of these.
+  /// Into how many parts each was cut: poly-vertices, polylines and strips become vertices, edges
+  /// and triangles, which have the data of the whole. Empty where there are none of these.
   std::vector<std::uint32_t> parts_of_cell;
   /// By kind: how many there are, and the row of the first. Empty without cells: a file may have
   /// many pieces.

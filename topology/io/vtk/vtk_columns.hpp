@@ -93,8 +93,8 @@ struct VtkSink {
 
 /// The sink for the rows of an array of data: columns of that name are begun, or go on where
 /// another piece began them. Rows missing from earlier pieces are found at the end. Room is made
-/// for the rows of the whole mesh, at most `most_numbers`. Needs: all points or cells of the file
-/// are there. The sink is good until the next call.
+/// for the rows of the whole mesh, at most `most_numbers`.
+/// Needs: all points or cells of the file are there. The sink is good until the next call.
 template <class Value>
 VtkSink<Value> begin_vtk_data(Draft& draft, VtkPiece& piece, const VtkArrayHead& head,
                               std::size_t most_numbers);

@@ -9,8 +9,8 @@
 
 namespace sunder::io {
 
-/// Text as an attribute or content of XML may have it: `&`, `<`, `>` and quotes by their names; other
-/// characters as they are.
+/// Text as an attribute or content of XML may have it: `&`, `<`, `>` and quotes by their names;
+/// other characters as they are.
 std::string in_xml(std::string_view text);
 
 /// Bytes in base64, padded.

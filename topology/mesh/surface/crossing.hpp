@@ -20,8 +20,8 @@ struct SurfaceTriangle {
 bool has_area(const std::vector<Point>& points, const std::array<std::uint32_t, 3>& corners);
 
 /// Whether two triangles have a point in common besides the corners and the edge that they share.
-/// Exact; corners are the same where their numbers are. Needs: triangles with an area, finite points,
-/// two that lie in one place having one number.
+/// Exact; corners are the same where their numbers are. Needs: triangles with an area, finite
+/// points, two that lie in one place having one number.
 bool triangles_cross(const std::vector<Point>& points, const std::array<std::uint32_t, 3>& a,
                      const std::array<std::uint32_t, 3>& b);
 
