@@ -130,8 +130,9 @@ std::uint8_t vtk_type_of(CellKind kind);
 /// labels; columns with other components or numbers than the first are filled.
 std::vector<std::string> vtk_clashes(const FileMesh& mesh);
 
-/// Names of whole numbers that cells of some kind have and those of another lack: these get 0 in
-/// the grid, which no reader can distinguish from a number. (Reals get not-a-number, labels 0.)
+/// Names of whole numbers that cells of some kind have and those of another lack. These get 0 in
+/// the grid, which no reader can distinguish from a number. (Reals get not-a-number, and labels get
+/// 0, which is read as none.)
 std::vector<std::string> vtk_fillings(const FileMesh& mesh);
 
 }  // namespace sunder::io
