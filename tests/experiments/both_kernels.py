@@ -109,7 +109,7 @@ def main():
                 out = work / name.replace(" ", "-") / kernel
                 figures.append(measured(words_on(kernel), out))
                 if name.startswith("run"):
-                    (out / "printed").unlink()  # tells wall times
+                    (out / "printed").unlink()  # has wall times
                 files.append(digests(out))
             code = (out / "exit_code").read_text()
             changed = sorted(k for k in files[0] | files[1] if files[0].get(k) != files[1].get(k))

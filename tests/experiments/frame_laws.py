@@ -9,13 +9,14 @@
 From each frame and the scene file: masses (density x volume at rest / 4 a corner; the first frame, less
 its displacement, is the shape at rest), P, L about the origin, kinetic energy, strain energy (each
 component turned back by mass-weighted shape matching, then linear elasticity), the work of gravity and of
-supports that move. Judged, and exit code 1 where a law is broken and no warning tells it:
+supports that move. Judged, and exit code 1 where a law is broken and no warning reports it:
   momentum  where nothing acts from outside: P and L change by no more than 1e-9 of the exchange,
             the sums over frames of |change of P| / 2 and |change of L| / 2 of each piece
   energy    kinetic + strain - work rises above no earlier minimum by more than 1e-6 of the most there was
   overlap   at rest (no vertex faster than 0.1 m/s) no vertex lies deeper in another piece or an obstacle than
             5 per cent of the mean edge: in the tetrahedra themselves, not the balls that contact uses, measured
-            to the piece's surface (to the nearest face of the tetrahedron, beside it, is less inside a piece)
+            to the piece's surface (to the nearest face of the tetrahedron would be less inside a
+            piece)
   stack     after 10 s the top is where it was put to within a hundredth of a box
 Of report.json only the codes of `warnings` are read. Work that changes within a frame (a ramp of gravity,
 a support that pulls) is integrated by trapezoids; a rise is judged less their largest error
@@ -213,7 +214,7 @@ def turned_back(points, fitted, vertices, cells):
 
 def piece_frames(frame, cells, held):
     """Every piece of more than one tetrahedron (those are rigid). A held piece has the frame of its
-    supports, which the displacement tells: x less it is the rigid reference."""
+    supports, which the displacement gives: x less it is the rigid reference."""
     reference = None
     for c, tets in cells.pieces.items():
         if len(tets) == 1:

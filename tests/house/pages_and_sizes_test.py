@@ -4,7 +4,7 @@
     python3 pages_and_sizes_test.py PROJECT
 
 Documents: every name that ends in .md, in a C++ file or a script, is a file of the project: from
-its root, from beside the file that cites it, in docs/ or in docs/reference.
+its root, from the folder of the file that cites it, in docs/ or in docs/reference.
 Headers: each has a test of its own name (tests/**/NAME_test.cpp) or a line in untested_headers.txt.
 Sizes: a C++ file has at most 400 lines and a folder 25 C++ files, or a line in large.txt.
 Faults: the text that one of tests/mutants/*.json changes stands once in its source.

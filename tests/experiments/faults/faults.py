@@ -175,7 +175,7 @@ def files_of(folder):
 
 
 def is_whole(name, text):
-    """Whether a file of a run can be told to be whole."""
+    """Whether a file of a run can be seen to be whole."""
     if name.endswith(".json"):
         try:
             json.loads(text)
@@ -217,7 +217,7 @@ class Judge:
             return f"signal {-code}"
         if code not in DOCUMENTED:
             return f"exit code {code}"
-        if code != 0 and not (err.strip() or out.strip()):  # check --json tells in its object
+        if code != 0 and not (err.strip() or out.strip()):  # check --json reports in its object
             return f"exit code {code}, and nothing said"
         now = files_of(self.bench.place / "work")
         if self.is_folder:

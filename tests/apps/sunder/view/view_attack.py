@@ -9,7 +9,7 @@ prints its cost: the time until the page was answered and the growth of the serv
 on times and memory are wide, so that no slow machine fails them. Exit code 1 where one was broken.
 
 --long sends random and half-right requests from eight clients for some minutes, with the token and
-without, beside idle and slow connections; the page must be answered all the while, the memory stay
+without, among idle and slow connections; the page must be answered all the while, the memory stay
 bounded, and the process live to its end by SIGINT.
 """
 import argparse
