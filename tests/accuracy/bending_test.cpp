@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Three-point bending against 2 sigma_t b h^2 / (3 L), and what each node stress sees of it.
+// Three-point bending against 2 sigma_t b h^2 / (3 L), and its share in each node stress.
 #include <catch2/catch.hpp>
 
 #include "tests/experiments/cases/bending.hpp"

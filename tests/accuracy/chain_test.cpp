@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The one-dimensional cohesive program against closed forms; what it is fed with.
+// The one-dimensional cohesive program against closed forms; its input.
 #include <catch2/catch.hpp>
 
 #include <cmath>
@@ -24,7 +24,7 @@ double sum_of(const ChainEnergy& e) {
   return e.kinetic + e.strain + e.stored + e.dissipated + e.contact + e.damped;
 }
 
-/// Two bars whose ends are pulled apart at `speed`.
+/// Two bars with ends that are pulled apart at `speed`.
 Chain two_bars(double speed) {
   Chain chain({.length = 0.01, .strength = {1e9, 3e6, 1e9}});
   chain.set_along(0, 0, -speed);

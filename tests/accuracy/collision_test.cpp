@@ -81,8 +81,8 @@ TEST_CASE("what two bars keep back is what each loses at a rigid wall", "[accura
 }
 
 TEST_CASE("with cells two bars come to swap their speeds", "[accuracy][case11]") {
-  // The speed left falls with the root of the cells, as the width of a front that every cell spreads
-  // a little.
+  // The speed left falls with the root of the cells, as the width of a front that every cell
+  // spreads a little.
   double last = 0;
   for (const int cells : {20, 40, 80}) {
     const double left = swap_speeds({cells, 1, 1}, 2.828427e-4).left;

@@ -172,8 +172,8 @@ TEST_CASE("case 3: the node stress at the top of a hanging bar lacks half a laye
     ++count;
   }
   INFO("layers " << layers << ", share " << top / count);
-  // Elements carry the weight below their middles, so half a layer is missing, 1 - 0.5 / n, but for
-  // what the cells' side diagonals shift; the list's figures are of other cells.
+  // Elements carry the weight below their middles, so half a layer is missing, 1 - 0.5 / n, up to a
+  // shift by the cells' side diagonals; the list's figures are of other cells.
   CHECK(top / count == Approx(1 - 0.5 / layers).margin(0.15 / layers));
   CHECK(top / count == Approx(share).margin(0.2 / layers));
 }
@@ -261,7 +261,7 @@ TEST_CASE("case 13: a bar on end supports carries 3 rho g L^2 / (4 h) below its 
   for (std::size_t v = 0; v < body.rest.size(); ++v) {
     const Vec3& x = body.rest[v];
     if (std::abs(x.x()) < length / 2 - 1e-9 || x.z() > -height / 2 + 1e-9) continue;
-    // Three vertices an edge.
+    // Three vertices per edge.
     loads.force[v].z() += weight / 6;
   }
   settle(state, body, wide_step, loads);

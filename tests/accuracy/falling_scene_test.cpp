@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What breaks when a body falls does not depend on the step.
+// The breaking of a falling body does not depend on the step.
 #include <catch2/catch.hpp>
 
 #include "tests/experiments/cases/falling_scene.hpp"

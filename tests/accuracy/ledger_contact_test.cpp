@@ -70,8 +70,8 @@ TEST_CASE("the ledger of a blow closes through all its sub-steps", "[accuracy][l
              << sum.contact << ", friction " << sum.friction << ", scheme " << sum.numerical
              << ", viscosity " << damping << ", residual " << sum.residual);
   CHECK(sum.kinetic < -0.05 * start);  // it was struck
-  // A wall that stands still takes by friction and by the stop of the lumped layer that touches,
-  // whose way in that sub-step still leads towards it.
+  // A wall at rest takes energy by friction and by stopping the lumped layer that touches, which in
+  // that sub-step still moves towards it.
   CHECK(sum.contact < -sum.friction + 0.02 * start);
   CHECK(sum.contact > -sum.friction - 0.07 * start);
   CHECK(sum.friction > -1e-9 * start);

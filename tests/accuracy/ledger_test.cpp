@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The energy ledger of a step in cases whose every term is known.
+// The energy ledger of a step in cases with every term known.
 #include <catch2/catch.hpp>
 
 #include <algorithm>

@@ -31,7 +31,7 @@ MechanicsState held_where(const Body& body, const Material& material,
   return state;
 }
 
-/// Frequency of the mode whose motion is most along x.
+/// Frequency of the mode with the largest share of motion along x.
 double axial_frequency(const Modes& modes) {
   double best = 0, frequency = 0;
   for (std::size_t k = modes.rigid; k < modes.frequency.size(); ++k) {
@@ -81,8 +81,8 @@ TEST_CASE("case 4: first bending frequencies of a cantilever, with the locking o
 TEST_CASE("case 5: bending frequencies of a free bar tend to beta L = 4.7300",
           "[accuracy][case5][modes]") {
   // Errors of frequencies go with the square of the cell: extrapolated from 2 and 4 layers, and
-  // against Timoshenko, whose shear and rotary inertia lower this bar's f1 by 3.4 per cent:
-  // 1 - (beta r / L)^2 (1 + E / (k G)) / 2 x 1.08 (r^2 = t^2 / 12, k = 5/6).
+  // against Timoshenko. Shear and rotary inertia lower this bar's f1 by 3.4 per cent: 1 - (beta r /
+  // L)^2 (1 + E / (k G)) / 2 x 1.08 (r^2 = t^2 / 12, k = 5/6).
   double mean[2] = {};
   for (int i = 0; i < 2; ++i) {
     const int layers = 2 << i;

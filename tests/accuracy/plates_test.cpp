@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Plates of published cracks: their meshes, what is read off cracks, and a coarse run.
+// Plates of published cracks: their meshes, measurements of cracks, and a coarse run.
 #include "tests/experiments/cases/plates.hpp"
 
 #include <catch2/catch.hpp>

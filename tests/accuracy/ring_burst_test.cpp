@@ -13,7 +13,7 @@ TEST_CASE("case 13: a ring breaks where no unloading wave comes first", "[accura
   const RingOutcome o = run_ring({.seed = seed});
   INFO("seed " << seed << ": " << o.fragments << " fragments, " << o.expected << " by the rule, "
                << o.same_sections << " sections of it");
-  // Stress is averaged over the cells beside a section, so releases are felt a cell early and some
+  // Stress is averaged over the cells next to a section, so releases are felt a cell early and some
   // sections are spared; those that break are the rule's.
   CHECK(double(o.same_sections) >= 0.95 * double(o.fragments));
   CHECK(double(o.fragments) >= 0.7 * double(o.expected));

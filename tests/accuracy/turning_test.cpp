@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Cases 6 and 14 and the attitude of a free body: what turning does to stress and to the frame.
+// Cases 6 and 14 and the attitude of a free body: the effect of turning on stress and on the frame.
 #include <catch2/catch.hpp>
 
 #include "tests/support/accuracy_bodies.hpp"
@@ -38,8 +38,8 @@ struct RigidReference {
   }
 };
 
-/// Error of attitude (rad) after 4 s, and what flips were seen: times at which the spin about the
-/// middle axis changes sign, in the library and in the reference.
+/// Error of attitude (rad) after 4 s, and the flips seen: times at which the spin about the middle
+/// axis changes sign, in the library and in the reference.
 struct Attitude {
   double error = 0;
   std::vector<double> flips, expected;

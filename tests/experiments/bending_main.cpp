@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Prints the table of three-point bending: node stresses over meshes, and slow runs in time.
-// `bending --ways [LAYERS]`: until the beam is apart, by what decides at a crack's edge (4 layers).
+// `bending --ways [LAYERS]`: until the beam is apart, by the criteria at a crack's edge (4 layers).
 #include <cstdio>
 #include <cstdlib>
 #include <string_view>

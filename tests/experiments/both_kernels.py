@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Runs scenes and tools on both kernels of the map, rows alone (dense) and CGAL's darts (lcc), and
-holds what they write against each other, byte by byte.
+compares their output, byte by byte.
 
     tests/experiments/both_kernels.py [build/release/sunder] [--quick] [--csv FILE] [--plot FILE.png]
 
@@ -10,7 +10,8 @@ With --csv and --plot but no program it draws the table (Debian's python3-matplo
 Scenes: bar, block, monolith, bunny (--quick: the first steps of each): every file of a run but
 report.json, which holds wall times. Tools: split, refine, cut on the bunny and on the bunny refined
 twice (--quick: on the bunny alone), static and modes of a scene: files, tables and exit codes.
-A line a case: processor seconds and peak memory on each kernel. The exit code is 1 when a byte differs."""
+A line per case: processor seconds and peak memory on each kernel. The exit code is 1 when a byte
+differs."""
 import argparse
 import csv
 import os
@@ -108,7 +109,7 @@ def main():
                 out = work / name.replace(" ", "-") / kernel
                 figures.append(measured(words_on(kernel), out))
                 if name.startswith("run"):
-                    (out / "printed").unlink()  # tells wall times
+                    (out / "printed").unlink()  # has wall times
                 files.append(digests(out))
             code = (out / "exit_code").read_text()
             changed = sorted(k for k in files[0] | files[1] if files[0].get(k) != files[1].get(k))

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Command: iterations of Broyden's method in one step of a block, over the step; docs/lab/baselines.md.
+// Command: iterations of Broyden's method in one step of a block, over the step;
+// docs/lab/baselines.md.
 #include <cmath>
 #include <cstdio>
 

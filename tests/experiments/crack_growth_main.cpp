@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// `crack_growth [MESH...]`: what becomes of notched bars: one crack or many, by how stresses within
-// a step are found, and by what a crack is; bars of cubes, and MESHes of the box 0.8 x 0.4 x 0.1 m.
-// `crack_growth --ways [MESH...]`: plain bars at bare clamps, by what decides at a crack's edge.
+// `crack_growth [MESH...]`: notched bars, one crack or many, by the stresses used within a step and
+// by the crack mode; bars of cubes, and MESHes of the box 0.8 x 0.4 x 0.1 m.
+// `crack_growth --ways [MESH...]`: plain bars at bare clamps, by the criteria at a crack's edge.
 #include <cstdio>
 #include <stdexcept>
 #include <string_view>
@@ -66,11 +66,11 @@ int print_modes(int count, char** files, const Material& concrete) {
     }
     for (const bool cut : {true, false}) {
       bar.cut = cut;
-      // Without a notch a bar breaks at its clamps, where corners have no finite stress, and what
-      // is left swings back to the same load a period later: grips, and two per cent of damping.
+      // Without a notch a bar breaks at its clamps, where corners have no finite stress, and the
+      // rest swings back to the same load a period later: grips, and two per cent of damping.
       bar.grip = cut || k < 0 ? 0 : 0.25;
       bar.damping = cut || k < 0 ? 0 : 5e-6;
-      // Bars that are no cubes turn to dust in mode `paper`, at seconds a step.
+      // Bars that are no cubes turn to dust in mode `paper`, at seconds per step.
       if (k < 0) print("cubes", bar, CrackMode::paper);
       print(k < 0 ? "cubes" : files[k], bar, CrackMode::object);
       // Ties need neither grips nor damping.

@@ -4,22 +4,24 @@
 
     tests/experiments/frame_laws.py run [CASE ...] [--steps 0.1,1,4,16.7,33] [--sunder PATH] [--out DIR]
     tests/experiments/frame_laws.py stack [--boxes 5,20] [--steps 1,4,16.7]
-    tests/experiments/frame_laws.py judge SCENE.json FOLDER      (what `sunder run SCENE -o FOLDER` left)
+    tests/experiments/frame_laws.py judge SCENE.json FOLDER      (of `sunder run SCENE -o FOLDER`)
 
 From each frame and the scene file: masses (density x volume at rest / 4 a corner; the first frame, less
 its displacement, is the shape at rest), P, L about the origin, kinetic energy, strain energy (each
 component turned back by mass-weighted shape matching, then linear elasticity), the work of gravity and of
-supports that move. Judged, and exit code 1 where a law is broken and no warning tells it:
-  momentum  where nothing acts from outside: P and L change by no more than 1e-9 of what passed, the sums
-            over frames of |change of P| / 2 and |change of L| / 2 of each piece
+supports that move. Judged, and exit code 1 where a law is broken and no warning reports it:
+  momentum  where nothing acts from outside: P and L change by no more than 1e-9 of the exchange,
+            the sums over frames of |change of P| / 2 and |change of L| / 2 of each piece
   energy    kinetic + strain - work rises above no earlier minimum by more than 1e-6 of the most there was
   overlap   at rest (no vertex faster than 0.1 m/s) no vertex lies deeper in another piece or an obstacle than
             5 per cent of the mean edge: in the tetrahedra themselves, not the balls that contact uses, measured
-            to the piece's surface (to the nearest face of the tetrahedron, beside it, is less inside a piece)
+            to the piece's surface (to the nearest face of the tetrahedron would be less inside a
+            piece)
   stack     after 10 s the top is where it was put to within a hundredth of a box
 Of report.json only the codes of `warnings` are read. Work that changes within a frame (a ramp of gravity,
-a support that pulls) is integrated by trapezoids; a rise is judged less what these may be off by ("judged").
-Free spheres are not in frames: what they had at first may have gone into the bodies ("weak")."""
+a support that pulls) is integrated by trapezoids; a rise is judged less their largest error
+("judged"). Free spheres are not in frames: their first energy may have gone into the bodies
+("weak")."""
 import argparse
 import array
 import csv
@@ -129,7 +131,7 @@ def frames_of(folder):
 # ---- bodies --------------------------------------------------------------------------------------
 
 class Rest:
-    """What never changes: tetrahedra at rest, a row each, with their inverse edges and moduli."""
+    """The constants: tetrahedra at rest, a row each, with their inverse edges and moduli."""
 
     def __init__(self, frame, scene):
         moved = rows(frame.column("displacement"))
@@ -152,7 +154,7 @@ class Rest:
 
 
 class Cells:
-    """Who belongs to whom, between two cracks."""
+    """Tetrahedra, vertices and pieces, between two cracks."""
 
     def __init__(self, frame, rest):
         flat, self.of_tet = frame.column("connectivity"), frame.column("component").tolist()
@@ -212,7 +214,7 @@ def turned_back(points, fitted, vertices, cells):
 
 def piece_frames(frame, cells, held):
     """Every piece of more than one tetrahedron (those are rigid). A held piece has the frame of its
-    supports, which the displacement tells: x less it is the rigid reference."""
+    supports, which the displacement gives: x less it is the rigid reference."""
     reference = None
     for c, tets in cells.pieces.items():
         if len(tets) == 1:
@@ -257,7 +259,7 @@ def momenta_of_pieces(frame, cells, rest, pieces):
         yield momenta(frame, rows_, mass)
 
 
-# ---- what acts from outside ----------------------------------------------------------------------
+# ---- actions from outside ------------------------------------------------------------------------
 
 def gravity_at(scene, at):
     said = scene.get("gravity", {})
@@ -291,7 +293,8 @@ def stress_forces(back, turn, tet, rest, t):
 
 
 def supports(turned, rest, cells, held, g):
-    """By piece: force of its supports (what elasticity and weight ask of them), its power, their largest speed."""
+    """By piece: force of its supports (by elasticity and weight), its power, their largest
+    speed."""
     found = {}
     for c, tets, back, turn in turned:
         mine = [v for v in cells.vertices[c] if v in held]
@@ -322,7 +325,7 @@ class Rise:
 
 
 class Passed:
-    """Drift of P and L, and what passed between pieces."""
+    """Drift of P and L, and the exchange between pieces."""
 
     def __init__(self):
         self.start = self.last = self.before = None
@@ -347,9 +350,9 @@ class Passed:
 
 
 class Works:
-    """Work since the start: `mean` by trapezoids; `most` the most that it can have been: with the larger
-    gravity of both ends of a frame, with the supports' force at its end (as the scheme has it), and with
-    what a held piece's momentum changed by beside all these put to the fastest of its supports."""
+    """Work since the start: `mean` by trapezoids; `most`: its upper bound. This has the larger
+    gravity of both ends of a frame and the supports' force at its end (as the scheme has it). Any
+    other change of a held piece's momentum counts at the fastest of its supports."""
 
     def __init__(self, scene):
         self.scene, self.mean, self.most, self.gravity, self.before = scene, 0.0, 0.0, 0.0, None
@@ -371,8 +374,8 @@ class Works:
         self.before = (frame, cells, g, at, power)
 
     def unseen(self, was, had, frame, cells, pulls, parent, g, span):
-        """J, at most, of what came to a held piece by neither weight nor what its supports are seen to do. The
-        piece as it was through the step: cracks come after."""
+        """J, at most, that came to a held piece neither by weight nor by the known forces of its
+        supports. The piece as it was through the step: cracks come after."""
         change, speed = scaled(momentum_of(was, had, parent), -1), 0.0
         for c, tets in cells.pieces.items():
             if had.of_tet[tets[0]] == parent:
@@ -400,7 +403,8 @@ def free_balls(scene):
 
 
 class Energy:
-    """Kinetic + strain - work: its largest rise, as it is and less what the work may be off by."""
+    """Kinetic + strain - work: its largest rise, as it is and less the largest error of the
+    work."""
 
     def __init__(self, scene):
         self.balls, self.works, self.start, self.most = free_balls(scene), Works(scene), None, 0.0

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `free_flight`: a CSV of what 10 s of flight at 50 rad/s leave of momenta and stress.
+// `free_flight`: a CSV of momenta and stress after 10 s of flight at 50 rad/s.
 #include <cstdio>
 
 #include "tests/experiments/cases/free_flight.hpp"

@@ -14,8 +14,8 @@ How it counts
               name in the same file, else of those that a header declares which the file includes,
               else of those that one declares which it leads to. Neither types nor overloads are
               looked at. Functions of one line (accessors) are left out.
-  algorithm   files that hold the named function, what it calls, and, where that is in its own
-              file, what that calls in turn: what a reader of the algorithm has to open
+  algorithm   files that hold the named function, its callees, and the callees of those that are in
+              its own file: the files that a reader of the algorithm has to open
   JSON to VTU the shortest chains of calls from the command to each milestone, all functions on
               them counted once, and the files that hold them: the least that a reader passes
   leads to    project headers that a header includes, directly or not
@@ -34,7 +34,7 @@ import sys
 TOPS = ("topology", "mechanics", "fracture", "apps")
 INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.MULTILINE)
 CALL = re.compile(r"\b([A-Za-z_]\w*)\s*(?:<[\w:, ]*>\s*)?\(")
-# What is not code to a reader: comments, strings, characters.
+# Text that is not code to a reader: comments, strings, characters.
 QUIET = re.compile(r'//[^\n]*|/\*.*?\*/|R"\((?:.|\n)*?\)"|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])\'',
                    re.DOTALL)
 
@@ -148,7 +148,7 @@ class House:
         return []
 
     def files_to_open(self, names):
-        """Files of the definitions and of what they call; calls in the same file are followed."""
+        """Files of the definitions and of their callees; calls in the same file are followed."""
         opened, seen, stack = set(), set(), list(self.one_of(names))
         homes = {f[1] for f in stack}
         while stack:
@@ -210,7 +210,7 @@ def folder_table(house):
 
 
 def total_rows(house):
-    """(what, figure) of a whole checkout."""
+    """(name, figure) of a whole checkout."""
     folders = collections.Counter(name.rsplit("/", 1)[0] for name in house.files)
     s = house.sizes(house.files)
     rows = [("C++ files outside tests", s["files"]), ("lines of them", s["lines"]),

@@ -166,7 +166,7 @@ void run(const Job& job) {
   std::printf("\n# fastest %.0f m/s", fastest);
   if (started != history.end()) std::printf("; first released face at %.1f us", 1e6 * started->time);
   if (forked != history.end()) {
-    // Arms are told apart once they are 2.5 cells from each other: later than the tip was there.
+    // Arms are distinguished once they are 2.5 cells from each other: later than the tip was there.
     const auto at_fork =
         std::ranges::find_if(history, [&](const TipPlace& t) { return t.reach >= forked->fork; });
     double before = 0;

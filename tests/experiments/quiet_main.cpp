@@ -37,7 +37,7 @@ std::set<ComponentId> holders_of(const Simulation& sim, const Place& place) {
   return holders;
 }
 
-/// A fan of the run, and what became of its piece with finer steps.
+/// A fan of the run, and the result for its piece with finer steps.
 struct Trial {
   double time = 0, share = 0;  ///< s; stress over strength
   std::size_t tetrahedra = 0;  ///< of the piece

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Fragments of a ring that flies apart. `ring_burst`: cracks that open at once, over the rate, and
-// the slope of their size. `ring_burst --ties`: cracks that take energy, beside Zhou's law and the
+// the slope of their size. `ring_burst --ties`: cracks that take energy, next to Zhou's law and the
 // one-dimensional program; `ring_burst --chain`: that program alone. Both take
-// `--seeds N` (10), `--places N`, `--spread S` and `--rate R`, --ties also `--cells N` and `--step S`.
+// `--seeds N` (10), `--places N`, `--spread S` and `--rate R`, --ties also `--cells N` and `--step
+// S`.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -97,14 +98,14 @@ void print_chain(const Plan& plan) {
     };
     for (const int cells : {400, 800, 1600, 3200, 6400}) row(cells, 0.1, 0);
     for (const double step : {0.5, 0.025}) row(1600, step, 0);
-    // What Sunder's sub-steps have, and what they had with 0.1 of the scene's own.
+    // The viscosity of Sunder's sub-steps, and their former one with 0.1 of the scene's own.
     for (const double viscosity : {0.1, 0.4}) {
       for (const int cells : {400, 800, 1600}) row(cells, 0.1, viscosity);
     }
   });
 }
 
-/// Rings whose sections are tied, beside Zhou's law and the program on its finest chain.
+/// Rings with tied sections, next to Zhou's law and the program on its finest chain.
 void print_ties(const Plan& plan) {
   std::puts(
       "spread,rate / (1/s),cells,step / (cell / c),fragments,taken,by Zhou,over Zhou,"

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Holds what two builds of `sunder` write against each other, byte by byte.
+"""Compares the output of two builds of `sunder`, byte by byte.
 
     tests/experiments/same_bytes.py BEFORE AFTER [--quick] [--keep DIR]
 
@@ -8,10 +8,11 @@ BEFORE and AFTER are two programs `sunder`, each in its own tree (build/release/
 the meshes and scenes of that tree. Compared are
   - the four scenes bar, block, monolith and bunny: events.jsonl, fragments.csv, cracks.csv and the
     frames at start and end (--quick: the first steps of each);
-  - the answers of all fixtures of the suite (`suite --export`), and what `split` says of a fan and a plane;
+  - the answers of all fixtures of the suite (`suite --export`), and of `split` to a fan and a
+  plane;
   - meshes/bar.msh through each of the formats, and `check --json` of the sample meshes.
 Pictures and report.json and checkpoints are left out: those depend on drivers, these hold wall times.
-A line a case; the exit code is 1 when anything differs."""
+A line per case; the exit code is 1 when anything differs."""
 import argparse
 import hashlib
 import json

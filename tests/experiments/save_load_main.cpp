@@ -36,7 +36,7 @@ void print(const std::vector<Finding>& findings) {
   for (const Finding& f : findings) std::fprintf(stderr, "%s\n", f.text.c_str());
 }
 
-/// Puts what a file keeps of the simulation in its place; false where it cannot.
+/// Saves the simulation to a file and replaces it by the loaded one; false where it cannot.
 bool save_and_load(Simulation& sim, const std::filesystem::path& path) {
   auto start = std::chrono::steady_clock::now();
   const std::vector<Finding> unsaved = save(sim, path);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Layers that a pulse breaks off a flat bar. `spall`: cracks that open at once, over its peak,
-// cells, steps and viscosity. `spall --ties`: cracks that take energy, beside the one-dimensional
+// cells, steps and viscosity. `spall --ties`: cracks that take energy, next to the one-dimensional
 // program; `spall --ties STEP`: in other steps than a quarter of a cell.
 #include <cstdio>
 #include <cstdlib>

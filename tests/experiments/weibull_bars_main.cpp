@@ -25,8 +25,8 @@ struct Bars {
   double modulus = 8;
   double length() const { return 0.3 * scale; }
   double volume() const { return 0.003 * scale * scale * scale; }
-  /// What can break: at the ends every tetrahedron of a vertex lies on one side of the plane across
-  /// the bar, so the half cells there hold anything.
+  /// The volume that can break: at the ends every tetrahedron of a vertex lies on one side of the
+  /// plane across the bar, so the half cells there hold anything.
   double breakable() const { return volume() * (1 - 0.1 / length()); }
   double closed_mean() const {
     return strength * std::pow(reference_volume / breakable(), 1 / modulus) *

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `worst_steps SCENE.json STEP DURATION [THREADS]`: the dearest steps of a run with what they did,
+// `worst_steps SCENE.json STEP DURATION [THREADS]`: the dearest steps of a run with their counts,
 // as a CSV.
 #include <algorithm>
 #include <cstdio>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Right inputs of a run with random bytes changed, held to the promises: for a second in the tests,
-// for SUNDER_FUZZ_SECONDS each where that is set. What once broke a promise is in found/.
+// for SUNDER_FUZZ_SECONDS each where that is set. Inputs that once broke a promise are in found/.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <chrono>

@@ -35,7 +35,7 @@ void add(std::size_t bytes) {
   c.peak = std::max(c.peak, c.live);
   if (counter.bound == 0) return;
   if (c.live > static_cast<std::ptrdiff_t>(counter.bound + counter.times * c.unfolded)) {
-    counter.is_on = false;  // what is done to report it is not counted
+    counter.is_on = false;  // allocations for the report are not counted
     std::abort();
   }
 }

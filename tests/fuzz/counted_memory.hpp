@@ -10,12 +10,12 @@ namespace sunder::test {
 struct MemoryCount {
   std::ptrdiff_t live = 0;
   std::ptrdiff_t peak = 0;
-  /// What zlib unfolded, bytes: a packed file is as big as what is in it.
+  /// Bytes that zlib unfolded: a packed file counts with its unpacked size.
   std::size_t unfolded = 0;
 };
 
 /// Counts from now on. With a `bound` (bytes, not 0) the program ends where `live` first goes over
-/// it; what zlib unfolds raises it `times` as much.
+/// it; each byte that zlib unfolds raises it by `times` bytes.
 void begin_counting(std::size_t bound = 0, std::size_t times = 0);
 MemoryCount end_counting();
 

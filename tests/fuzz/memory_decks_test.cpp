@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Files made to take as much memory as they can: Nastran bulk data, universal files, PolyData as XML.
+// Files made to take as much memory as they can: Nastran bulk data, universal files, PolyData as
+// XML.
 #include <fmt/format.h>
 
 #include "hostile.hpp"

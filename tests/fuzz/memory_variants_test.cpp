@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a few bytes can ask for: images of cards, bits, strips, partitions, names, content that is
-// left out.
+// Memory that a few bytes can ask for: images of cards, bits, strips, partitions, names, content
+// that is left out.
 #include <fmt/format.h>
 
 #include "hostile.hpp"

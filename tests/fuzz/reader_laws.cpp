@@ -84,7 +84,7 @@ std::string bad_columns(const std::vector<DataColumn>& columns, std::size_t rows
   return {};
 }
 
-/// What read_file_mesh leaves in its value.
+/// The promises of read_file_mesh about its value.
 std::string bad_mesh(const FileMesh& mesh) {
   const std::size_t n = mesh.points.size();
   for (const Point& p : mesh.points) {
@@ -131,7 +131,7 @@ bool are_same(const std::vector<DataColumn>& a, const std::vector<DataColumn>& b
   });
 }
 
-/// What of `a` is not in `b`; `all`: everything, not only points and the corners of tetrahedra.
+/// The first part of `a` that is not in `b`; `all`: not only points and corners of tetrahedra.
 std::string difference(const FileMesh& a, const FileMesh& b, bool all) {
   const bool same_points =
       std::ranges::equal(a.points, b.points, [](const Point& p, const Point& q) {

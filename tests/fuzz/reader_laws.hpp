@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a reader of files promises whatever the bytes are: held by the fuzzers and by their corpus.
+// A file reader's promises whatever the bytes are: held by the fuzzers and by their corpus.
 #pragma once
 
 #include <span>
@@ -19,15 +19,15 @@ struct FuzzTarget {
   int format = -1;
 };
 
-/// Every reader: one a format of meshes, and those of the small files beside.
+/// Every reader: one per format of meshes, and those of the small files.
 std::span<const FuzzTarget> fuzz_targets();
 
 /// The reader of that name; none: a null pointer.
 const FuzzTarget* find_target(std::string_view name);
 
-/// Memory a reader may take beside the file's bytes, which it is given: with them it is ten times
-/// the unpacked file. `memory_allowance` more stands for what does not grow with the file (zlib's
-/// and expat's tables, findings).
+/// Memory a reader may take besides the file's bytes, which it is given: with them it is ten times
+/// the unpacked file. `memory_allowance` is for memory that does not grow with the file (zlib's and
+/// expat's tables, findings).
 inline constexpr std::size_t memory_times = 9;
 inline constexpr std::size_t memory_allowance = 512 << 10;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The fuzzers' corpus, and what they once found, held to the same promises in every build.
+// The fuzzers' corpus, and their former findings, held to the same promises in every build.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <filesystem>

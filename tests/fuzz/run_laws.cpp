@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The promises of what a run reads, one function each.
+// The promises of the readers of a run's inputs, one function each.
 #include "run_laws.hpp"
 
 #include <fmt/format.h>
@@ -38,7 +38,7 @@ TetMesh small_mesh() {
   return mesh;
 }
 
-/// What breaks in a few steps.
+/// A mesh that breaks in a few steps.
 TetMesh breaking_mesh() { return suite::kuhn_box({2, 1, 1}, 0.1); }
 
 FileMesh small_surface() {
@@ -70,7 +70,7 @@ constexpr std::string_view small_scene = R"({
   "time_step": 1e-3, "duration": 0.01, "ladder": {"sleep_after": 1},
   "output": {"frames": 2, "checkpoint": {"steps": 3, "minutes": 0}}})";
 
-/// What users of findings rely on: none of it may be missing, or hold bytes that move a terminal.
+/// Promises to users of findings: no part may be missing, or hold bytes that move a terminal.
 std::string bad_findings(const std::vector<Finding>& findings) {
   const auto is_control = [](char c) {
     return static_cast<unsigned char>(c) < ' ' || static_cast<unsigned char>(c) == 0x7f;
@@ -112,7 +112,7 @@ std::uint64_t fnv(std::string_view bytes) {
   return hash;
 }
 
-/// A few steps, each told to hurry: whatever the settings ask for, it must come to an end.
+/// A few steps, each with `hurry` set: whatever the settings, it must come to an end.
 std::string bad_steps(Simulation& sim, int steps) {
   const std::atomic<bool> hurry = true;
   sim.hurry = &hurry;
@@ -123,7 +123,7 @@ std::string bad_steps(Simulation& sim, int steps) {
         report.departed) {
       break;
     }
-    if (!check_numbers(sim, NumbersOf::columns).empty()) break;  // named: what a run does
+    if (!check_numbers(sim, NumbersOf::columns).empty()) break;  // the numbers that a run reports
     if (Clock::now() - start > std::chrono::seconds(20)) return "steps that do not end";
   }
   sim.hurry = nullptr;
@@ -157,8 +157,8 @@ std::string broken_law_of_state(const FuzzTarget&, std::string_view bytes) {
   std::string bad = excess(bytes.size(), 512, [&] { sim = restore(sealed); });
   if (bad.empty()) bad = bad_result(sim);
   if (!bad.empty() || !sim) return bad;
-  // What a state is made of anew is what it was: reading and writing agree on every byte but those
-  // of booleans, which are written as 0 and 1.
+  // A restored state is saved with the same size. Reading and writing agree on every byte except
+  // those of booleans, which are written as 0 and 1.
   check_numbers(*sim, NumbersOf::everything);
   return saved_state(*sim).size() == sealed.size() ? "" : "a state of another size comes back";
 }

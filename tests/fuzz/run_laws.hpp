@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What readers of scenes, saved states, event logs, checkpoints and kernels' answers promise
+// Promises of the readers of scenes, saved states, event logs, checkpoints and kernels' answers,
 // whatever the bytes are. Targets as those of reader_laws.hpp.
 #pragma once
 

@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: MIT
 """Holds the public headers to their word: each compiles alone, without a warning, and leads to no forbidden header.
-The C++ that README.md and how-to pages show compiles as well, or is a part of tests/host/tear, whose lines docs/howto/embed.md shows.
+The C++ of README.md and how-to pages compiles as well, or is a part of tests/host/tear, which
+docs/howto/embed.md shows.
 
     python3 doors_test.py FOLDER_OF_DOORS EIGEN "FLAG;FLAG" PROJECT COMPILER...
 
-What a header leads to is asked of the compiler (-MD). Compilers that are not installed are passed over, but one must be.
+The compiler lists the headers that a header leads to (-MD). Compilers that are not installed are
+passed over, but one must be.
 """
 
 import pathlib
@@ -15,7 +17,7 @@ import sys
 import tempfile
 import unittest
 
-# As parts of the path of a header. What is left: the doors themselves, Eigen, the compiler's own.
+# As parts of the path of a header. Allowed are the doors themselves, Eigen, the compiler's own.
 FORBIDDEN = ("nlohmann", "CLI", "EGL", "epoxy", "GL", "catch2", "fmt", "CGAL", "boost", "gmp.h", "Spectra", "expat.h",
              "zlib.h", "png.h", "topology", "mechanics", "fracture", "apps")
 # <sunder/cgal_map.hpp> is there to show CGAL, which brings Boost and GMP.
@@ -24,7 +26,7 @@ FLAGS = ["-std=c++20", "-fsyntax-only", "-Wall", "-Wextra", "-Wshadow", "-pedant
 
 
 def compile_text(text, compiler, folder, eigen, *flags):
-    """What the compiler says to a source, and the files it has read."""
+    """The compiler's messages about a source, and the files it has read."""
     with tempfile.TemporaryDirectory() as work:
         source, list_of_read = pathlib.Path(work, "alone.cpp"), pathlib.Path(work, "alone.d")
         source.write_text(text, encoding="utf-8")
@@ -36,7 +38,7 @@ def compile_text(text, compiler, folder, eigen, *flags):
 
 
 def complaints(compiler, header, folder, eigen, forbidden):
-    """What is wrong with one public header, which a source includes twice and nothing else: a text each."""
+    """Faults of one public header, which a source includes twice and nothing else: a text each."""
     said, read = compile_text(2 * f"#include <{header}>\n", compiler, folder, eigen)
     found = [f"{compiler}, {header}: {said}"] if said else []
     for path in read:

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""Holds the house to its table of rooms (rooms.py, CONTRIBUTING.md): who may include what, no circles
-in the simulation, and where CGAL and the GPL may be seen.
+"""Holds the house to its table of rooms (rooms.py, CONTRIBUTING.md): the permitted includes, no
+circles in the simulation, and where CGAL and the GPL may be seen.
 
     python3 layering_test.py PROJECT COMPILE_COMMANDS
 
-Quoted includes are followed through the project's files. What a source that leads to CGAL really
-reads is asked of the compiler (-M), so that conditional includes count only when they are taken.
+Quoted includes are followed through the project's files. For a source that leads to CGAL the
+compiler lists the files read (-M), so that conditional includes count only when they are taken.
 """
 
 import json
@@ -136,7 +136,7 @@ def sources_with_cgal(graph):
 
 
 def files_read(command, folder):
-    """What the compiler reads for one entry of compile_commands.json."""
+    """The files that the compiler reads for one entry of compile_commands.json."""
     words, kept = shlex.split(command), []
     while words:
         word = words.pop(0)
@@ -233,7 +233,8 @@ class TheProject(unittest.TestCase):
 
 
 def calls_of_processor(texts):
-    """Calls in the sources of results whose last bit depends on the processor: file, line, call."""
+    """Calls in the sources of results with a last bit that depends on the processor: file, line,
+    call."""
     found = []
     for name, text in texts.items():
         if not name.startswith(RESULTS):

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""What comments and pages cite is there, every header is tested or says where, and nothing grows too big.
+"""Cited pages are there, every header is tested or says where, and nothing grows too big.
 
     python3 pages_and_sizes_test.py PROJECT
 
 Documents: every name that ends in .md, in a C++ file or a script, is a file of the project: from
-its root, from beside the file that cites it, in docs/ or in docs/reference.
+its root, from the folder of the file that cites it, in docs/ or in docs/reference.
 Headers: each has a test of its own name (tests/**/NAME_test.cpp) or a line in untested_headers.txt.
 Sizes: a C++ file has at most 400 lines and a folder 25 C++ files, or a line in large.txt.
 Faults: the text that one of tests/mutants/*.json changes stands once in its source.
@@ -69,7 +69,7 @@ def missing_sources(pages, exists):
 
 
 def read_list(text):
-    """Lines `path: words` as a dictionary; what is not such a line comes back beside it."""
+    """Lines `path: words` as a dictionary, and a list of the other lines."""
     entries, bad = {}, []
     for line in text.splitlines():
         if not line.strip() or line.startswith("#"):
@@ -83,7 +83,7 @@ def read_list(text):
 
 
 def untested_headers(files, entries, exists):
-    """What is wrong with headers and the list of those without a test of their own name.
+    """Faults of headers and of the list of those without a test of their own name.
     `exists(path)`: whether a file of the project is there."""
     tested = {pathlib.PurePosixPath(f).name.removesuffix("_test.cpp")
               for f in files if f.startswith("tests/") and f.endswith("_test.cpp")}
@@ -105,7 +105,7 @@ def untested_headers(files, entries, exists):
 
 
 def faults_without_a_place(entries, text_of):
-    """Faults chosen by hand (tests/mutants/*.json) whose text does not stand once in its source."""
+    """Faults chosen by hand (tests/mutants/*.json) with a text that is not once in its source."""
     return [f"{e['file']}: {e['find']}" for e in entries if text_of(e["file"]).count(e["find"]) != 1]
 
 
@@ -137,7 +137,7 @@ class TheProject(unittest.TestCase):
         return entries
 
     def test_cited_documents_are_there(self):
-        # What `bench paper --markdown`, the scripts of conversions and `suite --export` write.
+        # Written by `bench paper --markdown`, the scripts of conversions and `suite --export`.
         written = ("paper.md", "p.md", "PAGE.md", "page.md", "suite.md")
         texts = self.files | scripts(self.project)
         # These make up names, and name pages as the site has them.

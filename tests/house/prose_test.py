@@ -208,7 +208,7 @@ def wrong_pages(texts, old):
 
 
 def too_much(count, words_of_all, words_of_lab):
-    """What is more than the limits of the whole."""
+    """Figures above the limits of the whole."""
     return [f"{what}: {number}, at most {most}" for what, number, most in
             (("pages", count, MOST_PAGES), ("words of all pages", words_of_all, MOST_WORDS_OF_ALL),
              ("words of the lab", words_of_lab, MOST_WORDS_OF_LAB)) if number > most]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The rooms of the house: what each is for and what it may include. CONTRIBUTING.md shows this table.
+"""The rooms of the house: their purposes and permitted includes. CONTRIBUTING.md shows this table.
 
     python3 rooms.py PROJECT          prints the table as CONTRIBUTING.md has it
     python3 rooms.py PROJECT --write  writes it there

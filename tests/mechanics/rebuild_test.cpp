@@ -15,8 +15,8 @@ using namespace sunder::test;
 
 namespace {
 
-/// Cuts `body` into the tetrahedra whose centre is below `x` and the rest: copies the vertices of
-/// the cut, gives the lower part a fresh component. Gives both ids.
+/// Cuts `body` into the tetrahedra with centres below `x` and the rest: copies the vertices of the
+/// cut, gives the lower part a fresh component. Gives both ids.
 std::vector<ComponentId> cut_at(MechanicsState& state, Body& body, double x) {
   const ComponentId fresh{state.components.size()};
   const auto low = [&](std::size_t t) {

@@ -146,7 +146,7 @@ class SunderMesh(unittest.TestCase):
         self.assertLessEqual(abs(figures["tetrahedra"] / 6142 - 1), 0.03)
         self.assertLessEqual(abs(figures["vertices"] / 1363 - 1), 0.03)
         self.assertGreaterEqual(figures["dihedral_angle"][0], 10)
-        # Another processor or CGAL may round otherwise, so the bytes are told but not demanded.
+        # Another processor or CGAL may round otherwise, so the bytes are printed but not demanded.
         same = (self.folder / "bunny.msh").read_bytes() == (self.meshes / "bunny.msh").read_bytes()
         print("bunny.msh:", "same bytes" if same else "other bytes than the committed file")
 

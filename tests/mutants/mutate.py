@@ -3,10 +3,10 @@
 
     python3 mutate.py PROJECT MUTANTS.json OUT
 
-Every entry of the list names a piece of text that stands exactly once in a file, and what a fault
-puts in its place. In the copy the piece becomes a choice by `sunder_fault(number)`; the project's
-own sources stay free of it. An entry whose text is gone or stands twice is an error: the list has to
-follow the sources.
+Every entry of the list names a piece of text that stands exactly once in a file, and a fault's
+replacement. In the copy the piece becomes a choice by `sunder_fault(number)`; the project's
+own sources stay free of it. An entry with a text that is gone or stands twice is an error: the list
+has to follow the sources.
 """
 
 import json

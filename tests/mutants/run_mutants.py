@@ -3,7 +3,7 @@
 
     python3 run_mutants.py --program build/release/tests/mutants/sunder_mutant [--only NUMBER]
 
-With --test the program is a test of its own (Catch2), and what fails in it kills the fault.
+With --test the program is a test of its own (Catch2), and any failure in it kills the fault.
 Exit code 0 when the unharmed kernel passes and every fault is killed, 1 otherwise.
 """
 

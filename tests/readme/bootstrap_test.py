@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""What ./bootstrap installs, builds and runs for each of its words, with stand-ins that write down their calls.
+"""The installs, builds and runs of ./bootstrap for each of its words, with stand-ins that log
+calls.
 
     python3 bootstrap_test.py
 """
@@ -13,7 +14,7 @@ import tempfile
 import unittest
 
 PROJECT = pathlib.Path(__file__).resolve().parents[2]
-# Where the stand-in of cmake configures, it leaves what CMake would: whether there are tests.
+# When the stand-in of cmake configures, it leaves CMake's entry for whether there are tests.
 STAND_IN = """#!/bin/sh
 call="${0##*/} $*"
 printf "%s\\n" "$call" >>"$CALLS"
@@ -47,7 +48,7 @@ class Bootstrap(unittest.TestCase):
         path.chmod(0o755)
 
     def bootstrap(self, *words, **variables):
-        """The exit code, the calls, and what was said."""
+        """The exit code, the calls, and the standard error."""
         calls = self.path / "calls.tmp"
         calls.write_text("")
         environment = {"PATH": str(self.tools), "CALLS": str(calls), **variables}

@@ -17,13 +17,13 @@ run. A line fails where it ends with another code than 0, or with another than i
 prints a warning. Words in capitals alone (SCENE) are refused: no line has a gap to fill. `sunder` is that of the build
 folder; scene.json, body.msh and mesh.msh are the reader's own, here the sample ball.
 
-A line of `sunder view`, or whose comment says `ends with Ctrl-C`, is started without a display, asked for the page whose
-address it prints and for the files that this page names, and ended by SIGINT. A line whose comment
-says `minute` has the label `long`, every other one `quick`.
+A line of `sunder view`, or with the comment `ends with Ctrl-C`, is started without a display. It is
+asked for the page at the address that it prints and for the files that this page names, and ended
+by SIGINT. A line with `minute` in its comment has the label `long`, every other one `quick`.
 
 Without options every line runs. --after: only blocks of this set-up (variables are set by all).
 --quick: every scene of the scratch copy ends after 0.05 s at the latest; lines with the label `long` that
-name no scene are left out, and lines that read what one of them writes to out/. --check: only reads the page.
+name no scene are left out, and lines that read their output in out/. --check: only reads the page.
 --scratch: the folder where lines run and write, kept; default: a new one, removed. It shows the
 repository's files, a copy of meshes, the build folder as build/release, and out/bunny where it is there.
 
@@ -66,8 +66,8 @@ Outcome = collections.namedtuple("Outcome", "seconds code warnings text")
 
 
 def block_of(mark, kind, number, lines):
-    """A block after the comment `mark` (its word and its text, or nothing), and what is wrong with it. A block that is
-    neither run nor written is None."""
+    """A block after the comment `mark` (its word and its text, or nothing), and its faults. A block
+    that is neither run nor written is None."""
     word, text = mark or (None, "")
     if word == "file":
         return Block("file", text, number, lines, False, []), []
@@ -86,7 +86,7 @@ def block_of(mark, kind, number, lines):
 
 
 def read_blocks(page):
-    """Blocks that are run or written, and what is wrong with them."""
+    """Blocks that are run or written, and their faults."""
     blocks, wrong, mark, kind, lines = [], [], None, None, []
     for number, text in enumerate(page.splitlines(), 1):
         if kind is None and text.startswith("```"):
@@ -117,7 +117,7 @@ def commands(block):
 
 
 def comment_of(text):
-    """What stands after the first # that begins a word."""
+    """The text after the first # that begins a word."""
     match = re.search(r"(?:^|\s)#\s*(.*)", text)
     return match[1] if match else ""
 
@@ -196,7 +196,7 @@ def make_scratch(scratch, build, quick):
 
 
 def page_is_there(address):
-    """Asks for the page and for each file that it names; says what is missing."""
+    """Asks for the page and for each file that it names; raises an error if one is missing."""
     with urllib.request.urlopen(address, timeout=20) as answer:
         html = answer.read().decode()
     names = [name for name in re.findall(r'(?:src|href)="([^"#:]+)"', html)]
@@ -209,7 +209,7 @@ def page_is_there(address):
 
 
 def use_and_interrupt(process, output):
-    """Waits for an address among what a line prints, asks for the page, and types Ctrl-C."""
+    """Waits for an address in a line's output, asks for the page, and types Ctrl-C."""
     problem, end = "no address was printed in 60 s", time.monotonic() + 60
     while time.monotonic() < end and process.poll() is None:
         match = ADDRESS.search(output.read_text(errors="replace"))
@@ -286,7 +286,7 @@ def expected_code(text):
 
 
 def report(number, label, outcome, text, warns=False):
-    """One row of the table, and what a line printed that failed or warned. `warns`: it may."""
+    """One row of the table, and the output of a line that failed or warned. `warns`: it may."""
     if outcome is None:
         print(f"{number:5}  {label:<12} {'-':>7} {'-':>5} {'-':>5}  {text}", flush=True)
         return True
@@ -335,7 +335,7 @@ def write_block(block, scratch, quick):
 
 
 def run_blocks(blocks, arguments, scratch):
-    """Runs what is asked for, in the page's order."""
+    """Runs the blocks that the options choose, in the page's order."""
     build = arguments.build.resolve()
     make_scratch(scratch, build, arguments.quick)
     if arguments.quick:

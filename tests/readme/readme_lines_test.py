@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What readme_lines.py refuses and what it reports, on pages that the test writes.
+"""Refusals and reports of readme_lines.py, on pages that the test writes.
 
     python3 readme_lines_test.py
 """

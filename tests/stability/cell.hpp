@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a method may make of a scenario, and the methods there are.
+// The possible outcomes of a method in a scenario, and the methods there are.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@ namespace sunder::stability {
 /// From good to bad.
 enum class Outcome {
   not_for_it,    ///< the scenario says nothing about this method
-  holds,         ///< what has to stay stays, and what there is a closed form for is right
+  holds,         ///< conserved quantities stay, and values with a closed form are right
   refuses,       ///< the run is refused or stopped with the reason, before it shows nonsense
   off_path,      ///< the mass centre leaves its parabola
   loses,         ///< rigid motion is damped: the spin of the whole body goes
@@ -22,7 +22,7 @@ enum class Outcome {
   gains,         ///< motion out of nothing: kinetic energy or spin
   diverges,      ///< the run ends in `diverged` or `not_a_number`, which is reported
   // Of contact alone:
-  restless,        ///< what should lie still does not, though no energy comes
+  restless,        ///< bodies that should lie still do not, though no energy comes
   passes_through,  ///< bodies sink into one another or come out on the other side
 };
 inline constexpr std::string_view outcome_names[] = {
@@ -32,13 +32,13 @@ inline std::string_view name_of(Outcome outcome) {
   return outcome_names[static_cast<std::size_t>(outcome)];
 }
 
-/// What came out, and the figure that says how clearly; what the figure is, the scenario says.
+/// The outcome, and the figure that shows how clear it is; the scenario defines the figure.
 struct Cell {
   Outcome outcome = Outcome::not_for_it;
   double figure = 0;
 };
 
-/// Springs of `ContactMethod::penalty`, by what a step of theirs does to the lightest vertex.
+/// Springs of `ContactMethod::penalty`, by the effect of one of their steps on the lightest vertex.
 struct Springs {
   double turn = 0;        ///< w h, w^2 = k / m: stable up to 2; 0: contact by impulses
   double damping = 0;     ///< over c = 2 m w, which is critical

@@ -14,7 +14,7 @@
 namespace sunder::stability {
 namespace {
 
-/// Bodies that meet, and what is asked of them.
+/// Bodies that meet, and the conditions on their run.
 struct Encounter {
   Scene scene;
   int steps = 200;
@@ -89,8 +89,8 @@ void set_springs(Simulation& sim, const Springs& springs) {
   contact.ball_share = springs.ball_share;
 }
 
-/// Figure: what energy grew by over its start's (gains), kinetic energy at the end over the start's
-/// energy (restless), what is left of the angular momentum (loses), else the drift of momentum.
+/// Figure: the gain of energy over its start's (gains), kinetic energy at the end over the start's
+/// energy (restless), the rest of the angular momentum (loses), else the drift of momentum.
 Cell meet(Encounter encounter, const Method& method) {
   take_method(encounter.scene, method);
   Result<Simulation> built = build_simulation(std::move(encounter.scene));

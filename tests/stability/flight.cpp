@@ -63,9 +63,9 @@ NodeVectors forces_of(const ShapeGradient& G, double volume, const Lame& constan
   return forces;
 }
 
-/// What the run showed, worst of all its steps.
+/// The figures of the run, worst of all its steps.
 struct Seen {
-  double start = 0, vibration = 0;   ///< J: at the start, and what of it is no rigid motion
+  double start = 0, vibration = 0;   ///< J: at the start, and its part that is no rigid motion
   double gain = 0, motion_gain = 0;  ///< J: all, and without strain
   double stress = 0;                 ///< Pa
   double spin_left = 1;              ///< |L| / |L0|

@@ -9,7 +9,7 @@
 
 namespace sunder::stability {
 
-/// What flies and for how long.
+/// The flying body and its time of flight.
 struct Flight {
   Material material;
   double time_step = 1e-3;
@@ -28,12 +28,12 @@ test::Body flight_body(double sliver_angle = 90);
 /// scheme is stable up to a step of 2 over this, exactly.
 double highest_frequency(const MechanicsState& state, const test::Body& body);
 
-/// Flies it. Figure: what energy grew by over its start's (gains), what is left of the spin
-/// (loses), the largest element stress over what spin and deformation could give (false stress), or
-/// how far the mass centre is from its parabola, relative (holds).
+/// Flies it. Figure: the gain of energy over its start's (gains), the rest of the spin (loses), the
+/// largest element stress over the largest by spin and deformation (false stress), or how far the
+/// mass centre is from its parabola, relative (holds).
 Cell fly(const Flight& flight, const Method& method);
 
-/// What of a body's motion is rigid, recomputed from its vertices.
+/// The rigid part of a body's motion, recomputed from its vertices.
 struct Rigid {
   double mass = 0;
   Vec3 centre = Vec3::Zero(), momentum = Vec3::Zero(), spin = Vec3::Zero();  ///< spin: L about it

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The stability matrix: scenarios where methods fail, times methods, with what is expected of each.
+// The stability matrix: scenarios where methods fail, times methods, with the expected outcomes.
 #pragma once
 
 #include <functional>
@@ -9,8 +9,8 @@
 
 namespace sunder::stability {
 
-/// A scenario for every method: what it makes of it, and which outcome is expected of whom. Who is
-/// not named is expected to hold.
+/// A scenario for every method: its run, and the expected outcomes by method. Methods that are not
+/// named are expected to hold.
 struct Scenario {
   std::string name;
   std::function<Cell(const Method&)> run;

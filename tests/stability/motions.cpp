@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Scenarios of bodies in motion: what each integrator makes of stiffness, step, spin and shape.
+// Scenarios of bodies in motion: each integrator against stiffness, step, spin and shape.
 #include <algorithm>
 #include <cmath>
 
@@ -92,8 +92,8 @@ Cell inverted(const Method& method) {
   return {most < allowed * start ? Outcome::holds : Outcome::gains, most / start};
 }
 
-/// A single tetrahedron whose one corner is pushed through the face opposite. Figure: how far an
-/// edge is off at the end, relative.
+/// A single tetrahedron with one corner pushed through the face opposite. Figure: how far an edge
+/// is off at the end, relative.
 Cell tetrahedron_through_itself(const Method& method) {
   double worst = 0;
   for (int k = 1; k <= 20; ++k) {
@@ -116,7 +116,7 @@ Cell tetrahedron_through_itself(const Method& method) {
   return {worst < 1e-12 ? Outcome::holds : Outcome::false_stress, worst};
 }
 
-/// A single tetrahedron that spins for a second. Figure: what is left of the spin.
+/// A single tetrahedron that spins for a second. Figure: the rest of the spin.
 Cell tetrahedron_spin(const Method& method) {
   const Body body = test::single_tetrahedron(0.01);
   MechanicsState state = test::state_of_order(method.order, body, {});
@@ -132,7 +132,7 @@ Cell tetrahedron_spin(const Method& method) {
   return {left < 1.01 ? Outcome::holds : Outcome::gains, left};
 }
 
-/// A step of changing length, beside the same with all caches thrown away. Figure: the difference.
+/// A step of changing length, against the same with all caches thrown away. Figure: the difference.
 Cell changing_step(const Method& method) {
   const Body body = flight_body();
   std::vector<Vec3> ends[2];
@@ -196,7 +196,7 @@ bool iterates(const Method& method) {
          s.corotational_solve == CorotationalSolve::prefactored;
 }
 
-/// Iterations cut after two: the run must tell, keep momentum, and stay sound by the factor.
+/// Iterations cut after two: the run must report it, keep momentum, and stay sound by the factor.
 /// Figure: the drift of momentum, relative.
 Cell cut_short(const Method& method) {
   if (!iterates(method)) return {};
@@ -233,7 +233,8 @@ std::vector<Scenario> motions() {
   const Outcome gains = Outcome::gains, diverges = Outcome::diverges;
   using Expected = std::map<std::string, Outcome>;
   using Names = std::vector<std::string>;
-  // Implicit Euler linearised where the step begins, and what falls back on it; and where it ends.
+  // Implicit Euler linearised where the step begins, with methods that fall back on it; and at its
+  // end.
   const Names at_start = {"implicit Euler", "Broyden", "corotational"};
   const Names at_end = {"implicit Euler, predicted", "Broyden, factor", "Newton with CG",
                         "corotational, prefactored"};
@@ -261,7 +262,7 @@ std::vector<Scenario> motions() {
       {"E 1e5 to 1e12, step 1/30 s",
        [](const Method& m) { return all_stiffnesses(m, 1.0 / 30); },
        // Iterations that give up there are taken by the factor, linearised where the step begins
-       // (1e10 Pa on). Modal, undamped, keeps ringing with what the spin's forces begin in the
+       // (1e10 Pa on). Modal, undamped, keeps the ringing that the spin's forces begin in the
        // softest body.
        {{"implicit Euler", false_stress},
         {"implicit Euler, predicted", loses},
@@ -279,7 +280,7 @@ std::vector<Scenario> motions() {
       {"50 rad/s in equilibrium, 30 GPa, step 10 ms",
        [](const Method& m) { return spin_in_equilibrium(m, 1e-2); },
        spinning,
-       // Given up, and taken by what is linearised where the step begins.
+       // Given up, and taken by the factor, linearised where the step begins.
        {{"corotational, prefactored", false_stress}}},
       // The paper's force has a torque of second order; implicit Euler changes L by h^2 sum v x f.
       {"a soft body at rest rings for 1 s", ghost_torque,

@@ -51,8 +51,8 @@ Cell keeps_last(const Mat3& A) {
   return holds_below(error, 1e-12);
 }
 
-/// Reflections: proper, and tr(R^T A) as large as the singular values allow. Figure: what is
-/// missing.
+/// Reflections: proper, and tr(R^T A) as large as the singular values allow. Figure: the missing
+/// part.
 Cell reflected() {
   std::mt19937 random(85);
   double worst = 0;
@@ -86,8 +86,8 @@ Cell refused_flat_tetrahedron() {
   return {made ? Outcome::holds : Outcome::refuses, 0};
 }
 
-/// Sweeps of contact cut after the first. It must be told, momentum kept, energy not grown. Figure:
-/// the drift of momentum, relative.
+/// Sweeps of contact cut after the first. The cut must be reported, momentum kept, energy not
+/// grown. Figure: the drift of momentum, relative.
 Cell contact_cut_short() {
   const test::SeveralBodies all = test::together(
       {test::kuhn_block({2, 2, 2}, {0.3, 0.3, 0.3}), test::kuhn_block({2, 2, 2}, {0.3, 0.3, 0.3})});

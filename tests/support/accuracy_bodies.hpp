@@ -13,7 +13,7 @@
 
 namespace sunder::accuracy {
 
-/// Tetrahedron and opposite corner of every boundary face all of whose vertices are `inside`.
+/// Tetrahedron and opposite corner of every boundary face with all vertices `inside`.
 inline std::vector<std::pair<TetId, int>> boundary_faces(
     const Body& body, const std::function<bool(const Vec3&)>& inside) {
   std::map<std::array<std::uint32_t, 3>, int> uses;

@@ -100,7 +100,7 @@ inline FileMesh careless_surface(std::mt19937_64& random) {
         some[suite::below(random, some.size())] = any();
         break;
       case 5:
-        // Points of its own, one of them told with another sign of nought.
+        // Points of its own, one of them given with another sign of nought.
         for (auto& p : some) {
           mesh.points.push_back(mesh.points[p]);
           for (double& x : mesh.points.back()) x = x == 0 ? -0.0 : x;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Cells and what is said of them taken row by row: what twins of the code for many kinds are made
-// of.
+// Cells and their columns taken row by row: the parts of twins of the code for many kinds.
 #pragma once
 
 #include <algorithm>
@@ -90,7 +89,7 @@ inline std::vector<Rows> cells_of(const FileMesh& mesh, CellKind kind) {
   return cells;
 }
 
-/// Puts cells and what is said of them in the place of those of a kind.
+/// Replaces the cells of a kind and their columns.
 inline void put(FileMesh& mesh, CellKind kind, const std::vector<Rows>& cells,
                 CellColumns columns) {
   if (kind == CellKind::vertex) mesh.vertices.corners.clear();

@@ -83,7 +83,7 @@ inline bool share_a_ray(const Whole& p, const Whole& q, const Whole& r, const Wh
          is_in_corner(s, p, q);
 }
 
-/// Whether two triangles meet beside what they share. Needs: both have an area, whole coordinates.
+/// Whether two triangles meet outside their common corner or edge. Needs: areas, whole coordinates.
 inline bool twins_cross(const std::vector<Point>& points, Corners a, Corners b) {
   const auto share = [](Corners& t, const Corners& other) {
     return std::ranges::stable_partition(

@@ -210,7 +210,7 @@ double in_sixteen_characters(double x) {
         const std::string exponent = std::to_string(std::abs(std::stoi(all.substr(e + 1))));
         length += 1 + exponent.size();
       }
-      if (length <= 16) return std::strtod(all.c_str(), nullptr);  // of what is below all numbers too
+      if (length <= 16) return std::strtod(all.c_str(), nullptr);  // also too small for std::stod
     }
   }
   return x;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the tests of mesh files share: small meshes, folders of their own, a VTU encoder.
+// Shared by the tests of mesh files: small meshes, folders of their own, a VTU encoder.
 #pragma once
 
 #include <bit>

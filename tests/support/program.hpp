@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Runs the program as a shell would and brings back what it said.
+// Runs the program as a shell would and returns its output.
 #pragma once
 
 #include <filesystem>
@@ -12,7 +12,7 @@
 
 namespace sunder::test {
 
-/// How the program ended, and what it said.
+/// How the program ended, and its output.
 struct Outcome {
   int exit_code = -1;
   std::string out;

@@ -54,7 +54,7 @@ inline CellColumns random_columns(std::mt19937_64& random, std::size_t rows) {
   return cells;
 }
 
-/// Cells of some kinds between `n` points, with and without what may be said of them.
+/// Cells of some kinds between `n` points, with and without optional columns.
 inline FileMesh mesh_of_kinds(std::mt19937_64& random, std::size_t n = 32) {
   using suite::below;
   FileMesh mesh;

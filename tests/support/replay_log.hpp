@@ -45,7 +45,7 @@ inline void write_lines(const std::filesystem::path& log, const std::vector<std:
   for (const std::string& line : lines) out << line << "\n";
 }
 
-/// The log with one fan changed, and every check made anew: what only a run can tell.
+/// The log with one fan changed, and every check renewed: a change that only a run can find.
 inline void forge(const std::filesystem::path& from, const std::filesystem::path& to,
                   const std::function<void(std::vector<nlohmann::ordered_json>&)>& change) {
   std::vector<nlohmann::ordered_json> lines;

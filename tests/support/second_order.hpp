@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Nodes in the middles of edges for bodies that are given by corners alone, and what lies outside.
+// Nodes in the middles of edges for bodies that are given by corners alone, and boundary nodes.
 #pragma once
 
 #include <algorithm>
@@ -58,7 +58,7 @@ inline void raise_order(MechanicsState& state, std::span<const Corners> corners)
   }
 }
 
-/// A body at rest whose tetrahedra are of an order.
+/// A body at rest with tetrahedra of an order.
 inline MechanicsState state_of_order(int order, const Body& body, const Material& material) {
   MechanicsState state = state_of(body, material);
   if (order == 1) return state;
@@ -69,7 +69,7 @@ inline MechanicsState state_of_order(int order, const Body& body, const Material
   return state;
 }
 
-/// Holds all nodes whose x at rest is below a place.
+/// Holds all nodes with x at rest below a place.
 inline void hold_below(MechanicsState& state, const Body& body, double x) {
   state.motions.push_back({});
   for (std::size_t v = 0; v < state.vertices.size(); ++v) {

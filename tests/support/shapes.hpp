@@ -15,7 +15,7 @@ namespace sunder::accuracy {
 using std::numbers::pi;
 using test::Body;
 
-/// A triangulated sheet whose points are given layer by layer when it is extruded.
+/// A triangulated sheet; its points are given layer by layer when it is extruded.
 struct Sheet {
   std::size_t points = 0;
   std::vector<std::array<std::size_t, 3>> triangles;

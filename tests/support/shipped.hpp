@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The scenes of meshes/scenes, for tests that are told where they are (SUNDER_SCENES).
+// The scenes of meshes/scenes, for tests that get their place (SUNDER_SCENES).
 #pragma once
 
 #include <catch2/catch.hpp>

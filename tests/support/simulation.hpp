@@ -10,7 +10,7 @@
 
 namespace sunder::test {
 
-/// The simulation of a scene that has no error; what was found is told when the test fails.
+/// The simulation of a scene that has no error; findings are shown when the test fails.
 inline Simulation built(Scene scene) {
   Result<Simulation> sim = build_simulation(std::move(scene));
   for (const Finding& f : sim.findings) UNSCOPED_INFO(f.code << ": " << f.text);
@@ -18,7 +18,7 @@ inline Simulation built(Scene scene) {
   return std::move(*sim);
 }
 
-/// Integrators and models beside floating_frame and verlet.
+/// Integrators and models besides floating_frame and verlet.
 inline std::vector<IntegratorSettings> other_methods() {
   using enum Integrator;
   const auto corotational = ElasticModel::corotational;

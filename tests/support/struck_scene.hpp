@@ -6,8 +6,8 @@
 
 namespace sunder::test {
 
-/// The monolith struck by one ball whose centre begins `away` m off its middle: at .32 it breaks in
-/// impact windows in its first step, at .4 within 0.02 s.
+/// The monolith struck by one ball with its centre `away` m off its middle at first: at 0.32 it
+/// breaks in impact windows in its first step, at 0.4 within 0.02 s.
 inline nlohmann::json struck_scene(double away = 0.32, double duration = 0.005) {
   return {{"name", "struck"},
           {"bodies",

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Growing columns whose rows come one at a time. Internal.
+// Growing columns, appended to one row at a time. Internal.
 #pragma once
 
 #include <vector>
 
 namespace sunder {
 
-/// Appends a row; a full column grows by an eighth, where std::vector would double: a column of a
-/// shattered body is then at most an eighth too large, for some eight copies of each row on the
-/// way (a few ns a row).
+/// Appends a row. A full column grows by an eighth, where std::vector would double. A column of a
+/// shattered body is then at most an eighth too large. The price is some eight copies of each row
+/// in all (a few ns per row).
 template <class T>
 void append_row(std::vector<T>& column, T value) {
   if (column.size() == column.capacity()) column.reserve(column.size() + column.size() / 8 + 8);

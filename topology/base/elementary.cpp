@@ -125,7 +125,7 @@ double direction_angle(double y, double x) {
   const double a = std::abs(x) / largest, b = std::abs(y) / largest;
   const double length = std::sqrt(a * a + b * b);
   const double s = std::min(a, b) / length, c = std::max(a, b) / length;
-  // Newton with the sine of what is missing, below pi/4; three steps square it below all bits.
+  // Newton with the sine of the missing angle, below pi/4; three steps square it below all bits.
   double angle = s;
   for (int k = 0; k < 4; ++k) {
     const double missing = s * cosine(angle) - c * sine(angle);

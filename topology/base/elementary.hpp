@@ -9,8 +9,8 @@ namespace sunder {
 // divisions only, which IEEE 754 rounds alike everywhere.
 
 /// Sine of an angle, radians, within 1.1 units in the last place up to 1 000 radians and within two
-/// up to 1.6e6; beyond, that of the angle reduced by a rounded 2 pi. Not a number for what is not
-/// finite.
+/// up to 1.6e6; beyond, that of the angle reduced by a rounded 2 pi. Not a number for angles that
+/// are not finite.
 double sine(double angle);
 
 /// Cosine, as `sine`.

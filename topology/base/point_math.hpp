@@ -21,8 +21,8 @@ inline Point cross(const Point& a, const Point& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-/// Six times the volume of a tetrahedron, det(b - a, c - a, d - a), with its sign: positive where d lies
-/// on the side of a, b, c from which they run anticlockwise.
+/// Six times the volume of a tetrahedron, det(b - a, c - a, d - a), with its sign: positive where d
+/// lies on the side of a, b, c from which they run anticlockwise.
 inline double six_volumes(const Point& a, const Point& b, const Point& c, const Point& d) {
   return dot(difference(b, a), cross(difference(c, a), difference(d, a)));
 }

@@ -7,7 +7,7 @@
 
 namespace sunder {
 
-/// Sorts `values` and drops what is there more than once. O(n log n).
+/// Sorts `values` and drops duplicates. O(n log n).
 template <class Value>
 void sort_unique(std::vector<Value>& values) {
   std::sort(values.begin(), values.end());

@@ -7,8 +7,8 @@
 
 namespace sunder {
 
-/// The parts of a text between separators, empty ones too; of an empty text none. What a stream
-/// does with `std::getline`, but where memory runs out a stream ends early and says nothing.
+/// The parts of a text between separators, empty ones too; none of an empty text. As a stream with
+/// `std::getline`, but a stream without memory ends early and reports nothing.
 inline std::vector<std::string_view> split_text(std::string_view text, char separator) {
   std::vector<std::string_view> parts;
   for (std::size_t begin = 0; !text.empty();) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the star of a vertex falls into when some of its faces are cut.
+// The parts of a vertex's star when some of its faces are cut.
 #pragma once
 
 #include <algorithm>

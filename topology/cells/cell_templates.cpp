@@ -13,8 +13,8 @@ namespace {
 
 constexpr unsigned all_edges = 63;
 
-// Bey's T1 to T8; where his order of corners is a negative one, corners 1 and 3 are exchanged, which
-// keeps the pairs 0 2 and 1 3 and so the edge inside at the next time.
+// Bey's T1 to T8; where his order of corners is a negative one, corners 1 and 3 are exchanged,
+// which keeps the pairs 0 2 and 1 3 and so the edge inside at the next time.
 constexpr std::array<CellPart, 8> red = {{{0, 4, 5, 6},
                                           {4, 1, 7, 8},
                                           {5, 7, 2, 9},
@@ -24,8 +24,8 @@ constexpr std::array<CellPart, 8> red = {{{0, 4, 5, 6},
                                           {5, 6, 8, 9},
                                           {5, 9, 8, 7}}};
 
-/// Even orders of the corners: Bey's edge inside joins the middles of the first and third, and of the
-/// second and fourth.
+/// Even orders of the corners: Bey's edge inside joins the middles of the first and third, and of
+/// the second and fourth.
 constexpr std::array<std::array<int, 4>, 3> turns_of_corners = {
     {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2}}};
 
@@ -41,7 +41,7 @@ consteval std::array<CellPart, 8> turned(const std::array<int, 4>& corners) {
   return parts;
 }
 
-/// The face whose three edges are divided; 4 where there is none.
+/// The face with three divided edges; 4 where there is none.
 int full_face(unsigned edges) {
   for (int p = 0; p < 4; ++p) {
     if ((edges & edges_of_face(p)) == edges_of_face(p)) return p;

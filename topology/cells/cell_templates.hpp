@@ -18,10 +18,11 @@ using CellPart = std::array<int, 4>;
 /// All six edges: `parts_by_eight(0)`.
 std::vector<CellPart> parts_of_cell(unsigned edges, const std::array<std::uint32_t, 6>& order);
 
-/// The eight tetrahedra of Bey (Computing 55, 1995) of one whose corners are taken in another order:
-/// 0 as they stand, so that the edge inside joins the middles of 0 2 and 1 3; 1 those of 0 3 and 1 2;
-/// 2 those of 0 1 and 2 3. First the four at the corners, then those round the edge inside. Their own
-/// corners stand so that all of it done again, as they stand, keeps to three classes of shapes.
+/// The eight tetrahedra of Bey (Computing 55, 1995), made of one with its corners taken in some
+/// order. 0: as they stand, so that the edge inside joins the middles of 0 2 and 1 3; 1: those of 0
+/// 3 and 1 2; 2: those of 0 1 and 2 3. First the four at the corners, then those round the edge
+/// inside. Their corners are ordered so that dividing them again, as they stand, gives only three
+/// classes of shapes.
 const std::array<CellPart, 8>& parts_by_eight(int turn);
 
 /// Bits of the three edges of the face opposite to corner p.

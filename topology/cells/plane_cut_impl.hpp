@@ -92,7 +92,7 @@ Result<PlaneCut> cut_cells(K& map, const CuttingPlane& plane, double tolerance) 
     for (std::size_t f = 0; f < 4 * map.tetrahedra(); ++f) {
       const HalfFaceId face{f}, other = map.neighbour(face);
       if (other.is_none() || side(tetrahedron_of(face)) <= 0) continue;
-      // No tetrahedron has corners on both sides: what both share lies in the plane.
+      // No tetrahedron has corners on both sides: the shared face lies in the plane.
       if (side(tetrahedron_of(other)) <= 0) cut.faces.push_back(face);
     }
     return cut;

@@ -16,7 +16,7 @@ struct Origin {
   std::size_t level = divided_red;
   TetId parent;
   TetId root;
-  /// One of eight, whose corners stand so that its shapes stay few.
+  /// One of eight: its corners are ordered so that few classes of shapes arise.
   bool is_one_of_eight = false;
 };
 

@@ -199,7 +199,7 @@ class Division {
     edit_.cells.push_back(child);
   }
 
-  /// What lies across the part `mine` of the parent's face `whole`.
+  /// The half-face across the part `mine` of the parent's face `whole`.
   HalfFaceId across(HalfFaceId whole, HalfFaceId mine, const std::array<VertexId, 3>& rows) {
     const HalfFaceId other = map_.neighbour(whole);
     if (other.is_none()) return other;

@@ -109,7 +109,7 @@ void add_to(std::map<std::string, Draft::Others>& cells, std::string_view name,
   sum.count = count;
 }
 
-/// Straight cells are what their corners say; others are told.
+/// Reports curved cells; straight ones follow from their corners.
 void tell_curved(Draft& draft, CellKind kind) {
   const CurvedCells curved = curved_cells(draft.mesh, kind);
   if (curved.count == 0) return;
@@ -130,7 +130,7 @@ void tell_curved(Draft& draft, CellKind kind) {
   draft.findings.push_back(std::move(finding));
 }
 
-/// Takes out, or makes linear, what the options do not keep.
+/// Removes cells that the options do not keep, or makes them linear.
 void take_out(Draft& draft, const ReadOptions& options) {
   FileMesh& mesh = draft.mesh;
   for (const CellKind kind : all_cell_kinds) {
@@ -353,7 +353,7 @@ void lower_left_out(std::vector<Finding>& findings) {
 Result<FileMesh> finish(Draft&& draft, const ReadOptions& options) {
   drop_usual_numbers(draft.mesh);
   take_out(draft, options);
-  drop_usual_numbers(draft.mesh);  // without what was taken out they may repeat the row too
+  drop_usual_numbers(draft.mesh);  // without the removed cells they may repeat the row too
   judge_other_cells(draft, options);
   drop_columns_of_nothing(draft.mesh);
   report_skipped(draft);

@@ -67,9 +67,9 @@ struct Draft {
 void add_point(Draft& draft, const Point& point, std::size_t at);
 
 /// Appends a cell to the list of its kind (region, entity and ids are left to the reader); its
-/// nodes stand in our order (cell_kinds.hpp). Counted under index_out_of_range where it names
-/// points that are not there yet, and under repeated_vertex (a tetrahedron whose corners are not
-/// four: an error) or degenerate_cell (others: a warning). Needs: as many nodes as the kind has.
+/// nodes stand in our order (cell_kinds.hpp). Counted under index_out_of_range if it names points
+/// that are not there yet, and under repeated_vertex (a tetrahedron without four different corners:
+/// an error) or degenerate_cell (others: a warning). Needs: as many nodes as the kind has.
 void add_cell(Draft& draft, CellKind kind, const FileCell& cell);
 
 /// More corners than any face has; a face takes ten times the memory of its text while it is read.
@@ -111,9 +111,9 @@ void add_counted(Draft& draft, std::string_view code, Words words) {
 /// reading (wrong_count), raw bytes are a warning (trailing_bytes).
 void check_end(Draft& draft, NumberSource& in, std::string_view row);
 
-/// Ends the reading: numbers that only repeat the row are dropped, and cells that are not kept
-/// become findings, as ReadOptions has it: what is left out is a warning, to those who compute with
-/// simplices a note. Errors stand first; no value when there is one.
+/// Ends the reading. Numbers that only repeat the row are dropped. Cells that are not kept become
+/// findings by ReadOptions: warnings, or notes for callers that compute with simplices. Errors
+/// stand first; no value when there is one.
 Result<FileMesh> finish(Draft&& draft, const ReadOptions& options);
 
 }  // namespace sunder::io

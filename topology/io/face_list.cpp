@@ -46,7 +46,7 @@ Result<std::vector<std::array<std::uint32_t, 3>>> read_face_list(std::string_vie
     if (content.find_first_not_of(" \t\r") == std::string_view::npos) continue;
     std::array<std::uint32_t, 3> triple{};
     if (!read_triple(content, triple)) {
-      // A file whose first line is no face may be no list of faces, and is not shown.
+      // If even the first line is no face, the file may be no list of faces, and is not shown.
       return Finding{.code = "bad_face",
                      .text = fmt::format("{} is no face: three rows of points, counted from 0, "
                                          "were expected",

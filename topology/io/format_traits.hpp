@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which formats of mesh files there are, how to know them, and what each can carry.
+// The formats of mesh files, how to recognize them, and the contents that each can carry.
 #pragma once
 
 #include <filesystem>
@@ -11,7 +11,7 @@
 
 namespace sunder {
 
-/// What a format can hold of a FileMesh beside points, and what we do with it.
+/// The contents of a FileMesh that a format can hold besides points, and our use of it.
 struct FormatTraits {
   MeshFormat format;
   /// As messages name it.
@@ -31,18 +31,18 @@ struct FormatTraits {
   KindSet cells = 0;
   bool holds_regions = true;
   bool holds_region_names = false;
-  /// Regions are words there, such as sets: their numbers and full names go beside (see
+  /// Regions are words there, such as sets: their numbers and full names go into a list (see
   /// named_regions.hpp).
   bool regions_are_words = false;
   bool holds_entities = false;
   bool holds_point_regions = false;
   bool holds_point_ids = false;
   bool holds_cell_ids = false;
-  /// The lowest dimension of cells whose numbers it holds.
+  /// The lowest dimension of cells with numbers in the format.
   int cell_ids_from = 0;
   bool holds_point_data = false;
   bool holds_cell_data = false;
-  /// The lowest dimension of cells whose data it holds.
+  /// The lowest dimension of cells with data in the format.
   int cell_data_from = 0;
   /// Whether columns keep the type of their numbers.
   bool holds_number_types = false;

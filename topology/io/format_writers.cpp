@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which code writes each format. A source of its own: who only reads links none of it.
+// The writer of each format. A source of its own: programs that only read link none of it.
 #include <fmt/format.h>
 
 #include "topology/base/counted.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The table of formats: what each can carry, how it is known, which code reads it.
+// The table of formats: the contents of each, how it is recognized, which code reads it.
 #include "topology/io/formats.hpp"
 
 #include <fmt/format.h>

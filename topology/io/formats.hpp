@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Internal to topology/io: what a reader is given, and the way from each format to its code.
+// Internal to topology/io: the input of a reader, and the way from each format to its code.
 #pragma once
 
 #include <filesystem>
@@ -42,7 +42,7 @@ struct FileEncoding {
   bool is_binary() const { return encoding == Encoding::binary; }
 };
 
-/// How each format is known and read, beside its traits.
+/// How each format is known and read, besides its traits.
 struct FormatCode {
   /// Whether a file's first bytes are those of this format. `text` is the whole file.
   bool (*is_like)(std::string_view text);
@@ -55,8 +55,8 @@ const FormatCode& code_of(MeshFormat format);
 std::optional<Finding> write_format(MeshFormat format, const std::filesystem::path& path,
                                     const FileMesh& mesh, const FileEncoding& encoding);
 
-/// Reads a file of a known format: what `read_file_mesh` does once it knows it. Throws nothing;
-/// findings name no file but other files of the mesh.
+/// Reads a file of a known format, as `read_file_mesh` does once it knows the format. Throws
+/// nothing; findings name no file but other files of the mesh.
 Result<FileMesh> read_format(MeshFormat format, const FileSource& source,
                              const ReadOptions& options);
 

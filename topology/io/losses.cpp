@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a format cannot hold of a mesh, counted and told.
+// The contents of a mesh that a format cannot hold, counted and reported.
 #include "topology/io/losses.hpp"
 
 #include <fmt/format.h>
@@ -22,7 +22,7 @@
 namespace sunder::io {
 namespace {
 
-/// Collects what is lost, each kind once.
+/// Collects losses, each kind once.
 struct Losses {
   /// As far as the encoding holds it.
   FormatTraits to;
@@ -225,7 +225,7 @@ void lose_in_msh(Losses& losses, const FileMesh& mesh, std::string_view version)
   }
 }
 
-/// What formats of surfaces leave out of a mesh with volume cells.
+/// The parts of a mesh with volume cells that formats of surfaces leave out.
 void lose_inside(Losses& losses, const FileMesh& mesh, const BoundarySurface& surface) {
   const std::string_view name = losses.to.name;
   std::size_t volumes = 0, curved = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Internal to the writers: what of a mesh a format holds, and what it does not.
+// Internal to the writers: the contents of a mesh that a format holds, and its losses.
 #pragma once
 
 #include <optional>
@@ -11,8 +11,8 @@
 
 namespace sunder::io {
 
-/// What is written of a mesh in a format: itself, or its boundary, in kinds of cells that the
-/// format has.
+/// The cells of a mesh that a format gets: the mesh itself, or its boundary, in kinds of cells that
+/// the format has.
 struct Written {
   const FileMesh& original;
   std::optional<BoundarySurface> surface;
@@ -28,7 +28,7 @@ Written written_of(const FileMesh& mesh, const FormatTraits& t);
 /// The version that is meant: the usual one where none is named.
 std::string version_of(const FormatTraits& t, const WriteOptions& options);
 
-/// What is lost, or changed, on writing: warnings; an error where no cell would be left. Needs: the
+/// Losses and changes on writing: warnings; an error where no cell would be left. Needs: the
 /// options name a format.
 std::vector<Finding> losses_of(const Written& written, const WriteOptions& options);
 

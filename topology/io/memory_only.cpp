@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What reading meshes is in a build that has neither files nor zlib nor Expat, as for
-// WebAssembly: refusals that say so. Meshes come from memory there, unpacked, in the other formats.
+// Reading meshes in a build without files, zlib and Expat, as for WebAssembly: refusals with that
+// reason. Meshes come from memory there, unpacked, in the other formats.
 #include "topology/io/files/gzip.hpp"
 #include "topology/io/files/output_file.hpp"
 #include "topology/io/nastran/nastran.hpp"
@@ -36,7 +36,7 @@ io::Draft io::read_polydata(VtkReader&&) {
                      .remedy = "convert it: sunder convert FILE NEW.msh"}};
 }
 
-// The same goes for these, whose files are not even known.
+// The same applies to these formats, which such a build does not even recognize.
 bool io::is_vtp(std::string_view) { return false; }
 bool io::is_nastran(std::string_view) { return false; }
 bool io::is_unv(std::string_view) { return false; }

@@ -18,7 +18,7 @@
 namespace sunder {
 namespace {
 
-/// Beginnings of files that are often met and not read, and what to do with them.
+/// Beginnings of common files that are not read, and the remedy for each.
 struct Stranger {
   std::string_view magic;
   std::string_view name;

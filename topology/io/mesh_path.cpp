@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Meshes by their paths, with the files that lie beside them.
+// Meshes by their paths, with the files that lie next to them.
 #include <algorithm>
 #include <system_error>
 
@@ -13,7 +13,7 @@
 namespace sunder {
 namespace {
 
-/// Names in the file beside, where the mesh's own format holds none or only words, and there is
+/// Names in the separate file, where the mesh's own format holds none or only words, and there is
 /// such a file.
 void take_names_beside(const std::filesystem::path& path, MeshFormat format,
                        Result<FileMesh>& result) {

@@ -56,8 +56,8 @@ std::optional<Finding> refused(const FormatTraits& t, const io::FileEncoding& ho
       .remedy = "leave out --zlib: only binary data and base64 of VTU know it"};
 }
 
-/// Writes names that the format does not hold beside the file, and empties the list of an earlier
-/// mesh there, which would be read with the new one. A note tells so; an error where it fails.
+/// Writes the names that the format does not hold into a list next to the file. Empties the list of
+/// an earlier mesh there, which would be read with the new one. A note reports it, or an error.
 std::optional<Finding> write_names_beside(const std::filesystem::path& path, const FileMesh& mesh,
                                           const FormatTraits& t, std::string_view version) {
   const std::filesystem::path beside = io::names_beside(path, t.format);

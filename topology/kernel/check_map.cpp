@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Holds the darts of a map against its rows, and both against the rules of a 3-map.
+// Compares the darts of a map with its rows, and checks both by the rules of a 3-map.
 #include "topology/kernel/dart_map.hpp"
 #include "topology/kernel/split_face_impl.hpp"
 #include "topology/kernel/volume_map.hpp"
@@ -136,7 +136,7 @@ std::vector<Finding> check(const VolumeMap& map) {
   damage.unless(map.darts().tetrahedra() == map.tetrahedra(), "as many tetrahedra as rows", 0);
   damage.unless(map.darts().vertices() == map.vertices(), "as many 0-attributes as rows", 0);
   if (map.darts().tetrahedra() != map.tetrahedra() || map.darts().vertices() != map.vertices()) {
-    return damage.take();  // what follows goes by rows that both have
+    return damage.take();  // the checks below use rows that both have
   }
   const DartComplex& complex = map.darts().complex();
   damage.unless(complex.number_of_darts() == 12 * map.tetrahedra(), "12 darts a tetrahedron", 0);

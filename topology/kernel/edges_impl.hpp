@@ -6,8 +6,9 @@
 
 namespace sunder::detail {
 
-/// Goes on round the edge between rows `a` and `b` from `at`, out of its face opposite to the corner
-/// at place `leave`, until the boundary or `first`; appends what it meets. True when it came to `first`.
+/// Goes on round the edge between rows `a` and `b`, until the boundary or `first`. The way begins
+/// at `at`, out of its face opposite to the corner at place `leave`. Appends the edges met. True if
+/// it reached `first`.
 template <Kernel K>
 bool go_round(const K& map, TetId first, TetId at, int leave, VertexId a, VertexId b,
               std::vector<CellEdge>& ring) {

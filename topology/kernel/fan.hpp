@@ -34,8 +34,8 @@ std::vector<TetId> star(const K& map, VertexId vertex);
 template <Kernel K>
 std::vector<char> plane_signs(const K& map, const VertexStar& around, const Point& normal);
 
-/// The fan of a vertex (section 4.1, algorithm 4): the interior faces at `vertex` whose two
-/// tetrahedra differ in sign, seen from the positive side, in rising order of half-face.
+/// The fan of a vertex (section 4.1, algorithm 4): the interior faces at `vertex` between two
+/// tetrahedra of different sign, seen from the positive side, in rising order of half-face.
 ///
 ///        + | -          around an inner vertex the fan closes, at the surface it is open;
 ///      ____|____        it may have several branches: more than two copies of the vertex can

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Counts for the map that everyone uses, and the table of what a face split can change.
+// Counts of a map for its users, and the table of the changes that a face split can make.
 #include "topology/kernel/invariants_impl.hpp"
 #include "topology/kernel/map_answers.hpp"
 #include "topology/kernel/volume_map.hpp"
@@ -100,7 +100,7 @@ std::vector<Finding> check_split_laws(const Counts& before, const Counts& after,
 
 Counts counts_after(const Counts& before, const VolumeMap& map, std::span<const FaceSplit> splits,
                     std::size_t created) {
-  // Which of several components had a boundary is not told by counts.
+  // Counts do not show which of several components had a boundary.
   if (!before.betti) return count_cells(map);
   Counts after = before;
   after.components += created;

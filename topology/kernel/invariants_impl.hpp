@@ -86,9 +86,9 @@ Counts count_cells(const K& map) {
   if constexpr (HasAnswers<K>) {
     return answer(map, [&](auto& kernel) { return count_cells(kernel); });
   }
-  // Corners, edges and tetrahedra that beta3 joins: orbits of vertices, of edges, components. Within
-  // a tetrahedron a corner stands for the three darts that begin there, and of the two darts along
-  // an edge the one with the lower row for both.
+  // Corners, edges and tetrahedra that beta3 joins: orbits of vertices, of edges, components.
+  // Within a tetrahedron a corner stands for the three darts that begin there, and of the two darts
+  // along an edge the one with the lower row for both.
   const std::size_t n = map.tetrahedra();
   UnionFind corners(4 * n), edges(12 * n), bodies(n);
   std::vector<HalfFaceId> boundary;

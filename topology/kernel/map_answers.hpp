@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Who answers for a VolumeMap: its rows, or its darts. For the sources that instantiate algorithms.
+// The kernel behind a VolumeMap: its rows, or its darts. For sources that instantiate algorithms.
 #pragma once
 
 #include "topology/kernel/kernel.hpp"
@@ -86,7 +86,7 @@ class DartAnswers {
 static_assert(CellKernel<DartAnswers>);
 #endif
 
-/// Gives `ask(kernel)`, the kernel being what answers for the map.
+/// Gives `ask(kernel)`, where `kernel` is the one that the map uses.
 template <class Ask>
 auto answer(VolumeMap& map, Ask ask) {
 #if defined(SUNDER_ROWS_ALONE)

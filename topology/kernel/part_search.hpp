@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The lockstep search: what a body falls into, found at the cost of all parts but the largest.
+// The lockstep search: the parts of a body, found at the cost of all parts but the largest.
 #pragma once
 
 #include <algorithm>
@@ -24,15 +24,15 @@ void for_each_tetrahedron(const ComponentScratch& scratch, std::uint32_t part, V
   }
 }
 
-/// Parts of one component that grow towards each other, a tetrahedron each in turn; parts that meet
-/// become one, a part with no neighbour left to take is closed. What comes of it is left in
-/// `scratch.closed` (parts by their rows in `scratch.parts`) and `scratch.live`.
-/// Lists of tetrahedra are chained through `scratch.next`, so that joining two parts is O(1). Of
-/// `K` only tetrahedra() and neighbour() are asked, so it may be a view of a map.
+/// Parts of one component that grow towards each other, in turn by one tetrahedron each. Parts that
+/// meet are joined, a part with no neighbour left to take is closed. The results are left in
+/// `scratch.closed` (parts by their rows in `scratch.parts`) and `scratch.live`. Lists of
+/// tetrahedra are chained through `scratch.next`, so that joining two parts is O(1). Of `K` only
+/// tetrahedra() and neighbour() are used, so it may be a view of a map.
 template <class K>
 class PartSearch {
  public:
-  /// Forgets what the scratch held.
+  /// Discards the contents of the scratch.
   PartSearch(const K& map, ComponentScratch& scratch) : map_(map), s_(scratch) {
     if (s_.stamp.size() != map.tetrahedra() || ++s_.now == 0) {
       s_.stamp.assign(map.tetrahedra(), 0);

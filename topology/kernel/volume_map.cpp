@@ -10,8 +10,8 @@
 namespace sunder {
 
 #if defined(SUNDER_ROWS_ALONE)
-/// What stands for the darts in a build without CGAL, as for WebAssembly: none are ever made. Such
-/// a build has no `check(const VolumeMap&)`, which compares the two.
+/// Stands for the darts in a build without CGAL, as for WebAssembly, which never makes any. Such a
+/// build has no `check(const VolumeMap&)`, which compares the two.
 class DartMap {
  public:
   void prefetch(TetId) const {}
@@ -28,7 +28,7 @@ class DartMap {
 
 namespace {
 
-// Debug builds hold what a change touched against the darts at once; `check` holds everything.
+// Debug builds compare each changed place with the darts at once; `check` compares everything.
 #if !defined(SUNDER_ROWS_ALONE)
 [[maybe_unused]] bool agree(const VolumeMap& map, TetId t) {
   if (map.kernel() == MapKernel::dense) return true;

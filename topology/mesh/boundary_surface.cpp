@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Faces of one volume cell, found by sorting, with what the mesh's own cells say of them.
+// Faces of one volume cell only, found by sorting, with the data of the mesh's own cells on them.
 #include "topology/mesh/boundary_surface.hpp"
 
 #include <algorithm>
@@ -60,7 +60,7 @@ std::vector<Face> faces_of_tetrahedra(const FileMesh& mesh) {
   return faces;
 }
 
-/// The same of volume cells of all kinds. A face whose points repeat has no other side to find.
+/// The same for volume cells of all kinds. A face with a repeated point has no other side to find.
 std::vector<Face> faces_of_all(const FileMesh& mesh) {
   std::vector<Face> faces;
   std::uint64_t place = 0;
@@ -193,7 +193,7 @@ std::vector<Row> take_points(BoundarySurface& surface, const FileMesh& mesh) {
   return new_row;
 }
 
-/// Vertices or edges whose points are all there; returns how many are lost.
+/// Keeps vertices or edges with all points present; returns how many are lost.
 template <std::size_t N>
 std::size_t take_cells(CellList<N>& to, const CellList<N>& from, const std::vector<Row>& new_row) {
   std::vector<Row> rows;

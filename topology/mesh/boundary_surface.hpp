@@ -13,7 +13,7 @@ namespace sunder {
 
 struct BoundarySurface {
   /// No volume cells, and none of second order. Points that no face uses are gone; where some are,
-  /// `source_point_id` tells the numbers of the others (counted from 1 where the mesh gave none).
+  /// `source_point_id` gives the numbers of the others (counted from 1 where the mesh gave none).
   FileMesh mesh;
   /// Cells below dimension 3 that are not in it, by kind of first order.
   std::array<std::size_t, cell_kinds> lost_cells{};

@@ -53,7 +53,7 @@ constexpr FindingWords overlap_unfinished = {
 /// Looks at boxes for each boundary point and face. Ordinary meshes need about 20, also when they
 /// are cut along every face; without a bound n faces through each other would take n^2.
 constexpr std::size_t looks_each = 50;
-/// The same for each boundary face held against others: ordinary meshes need about 60.
+/// The same for each boundary face compared with others: ordinary meshes need about 60.
 constexpr std::size_t looks_of_faces = 400;
 
 /// The boundary of a mesh by places in space: points with the same coordinates are one place.
@@ -66,7 +66,7 @@ struct Contact {
   std::vector<std::uint32_t> place_of_point;
   /// Coordinates of each place, scaled by a power of two so that the largest is near 1.
   std::vector<Point> at;
-  /// Smallest distance that is told from none.
+  /// Smallest distance that counts as more than none.
   double rounding = 0;
   /// Places that are near to each other.
   UnionFind near;
@@ -175,7 +175,7 @@ bool lies_inside(const Contact& c, const std::array<Point, 3>& corners,
          std::abs(dot(normal, difference(x, corners[0]))) <= margin * length(normal);
 }
 
-/// Holds a place against a face: joins it to a corner that it is near to, or tells that it hangs.
+/// Compares a place with a face: joins it to a corner near it, or returns that it hangs.
 bool hangs_on(Contact& c, std::uint32_t place, std::uint32_t face) {
   const auto& t = c.survey.mesh.tetrahedra[face / 4];
   for (const std::uint32_t p : t) {
@@ -281,8 +281,8 @@ void report_coincident(Contact& c) {
   report(c.survey, coincident_faces, places);
 }
 
-/// Whether the segment passes through the inside of the face, its ends and the face's edges being
-/// farther from there than what counts as touching. An end at a corner is none farther away.
+/// Whether the segment passes through the inside of the face, with its ends and the face's edges
+/// farther from there than the touching distance. An end at a corner is not farther away.
 bool goes_through(const Contact& c, const Point& from, const Point& to,
                   const std::array<Point, 3>& face) {
   const Point normal = cross(difference(face[1], face[0]), difference(face[2], face[0]));

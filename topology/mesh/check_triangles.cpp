@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Triangles of a file held against the faces of its tetrahedra.
+// Triangles of a file compared with the faces of its tetrahedra.
 #include <algorithm>
 
 #include "topology/kernel/kernel.hpp"

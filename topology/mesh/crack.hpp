@@ -19,7 +19,7 @@ namespace sunder {
 /// Errors: unknown_region, which lists those there are.
 Result<std::int32_t> region_called(const FileMesh& mesh, std::string_view word);
 
-/// What lies across each face of each tetrahedron. Face p is opposite to corner p.
+/// Neighbours across the faces of each tetrahedron. Face p is opposite to corner p.
 struct FaceLinks {
   static constexpr std::uint32_t none = 0xffffffffU;
   /// 4 t + p of the face on the other side, or none.
@@ -41,8 +41,8 @@ using CutFaces = std::vector<std::uint32_t>;
 Result<CutFaces> listed_faces(const FileMesh& mesh, const FaceLinks& links,
                               std::span<const std::array<std::uint32_t, 3>> points);
 
-/// The section of a plane: faces between tetrahedra whose centres lie on different sides, by the
-/// rule of plane_faces (fan.hpp). Errors: not_a_direction, no_face.
+/// The section of a plane: faces between tetrahedra with centres on different sides, by the rule of
+/// plane_faces (fan.hpp). Errors: not_a_direction, no_face.
 Result<CutFaces> section_faces(const FileMesh& mesh, const FaceLinks& links,
                                const CuttingPlane& plane);
 
@@ -58,7 +58,7 @@ struct CrackFace {
   std::array<std::array<std::uint32_t, 3>, 2> points;
 };
 
-/// What a crack did to a mesh.
+/// The changes of a mesh by a crack.
 struct Crack {
   /// Rows of points and of their copies, which stand behind all points of before.
   std::vector<std::array<std::uint32_t, 2>> copies;

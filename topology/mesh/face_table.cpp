@@ -37,8 +37,8 @@ FaceTable face_table(std::span<const std::array<std::uint32_t, 4>> tetrahedra, s
   for_each([&](const auto& face, std::uint32_t) { ++table.first[face[0] + 2]; });
   for (std::size_t p = 2; p < table.first.size(); ++p) table.first[p] += table.first[p - 1];
   table.entries.resize(table.first.back());
-  // Sorted anew: keeping 96 bytes a tetrahedron between the passes gains no time. After this pass
-  // first[p + 1] is where bucket p ends.
+  // Sorted again: keeping 96 bytes per tetrahedron between the passes gains no time. After this
+  // pass first[p + 1] is where bucket p ends.
   for_each([&](const auto& face, std::uint32_t half_face) {
     table.entries[table.first[face[0] + 1]++] = {std::uint64_t{face[1]} << 32 | face[2], half_face};
   });

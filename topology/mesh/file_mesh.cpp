@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From all that a file says to what is computed with, and back.
+// From all contents of a file to the mesh for computing, and back.
 #include "topology/mesh/file_mesh.hpp"
 
 #include <utility>

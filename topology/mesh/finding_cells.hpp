@@ -12,8 +12,8 @@ namespace sunder {
 /// (1, 2, ... in the order of `check.findings`), and two columns of integers: `finding`, the same
 /// number, and `row`, its row in `mesh` (-1 for edges and faces, which have none). A cell of
 /// several findings is there several times. Points are those used, in the order of `mesh`; their
-/// column `row` tells which. Places whose points do not exist are left out. Empty without places.
-/// Needs: `check` is of `mesh`, with places kept. O(places).
+/// column `row` gives the rows there. Places with missing points are left out. Empty without
+/// places. Needs: `check` is of `mesh`, with places kept. O(places).
 FileMesh cells_of_findings(const FileMesh& mesh, const MeshCheck& check);
 
 }  // namespace sunder

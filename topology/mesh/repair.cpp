@@ -48,7 +48,7 @@ std::size_t keep_cells(FileMesh& mesh, Stays stays) {
   return dropped;
 }
 
-/// What was done, or `nothing` where that is so.
+/// The finding about a repair, with the text `nothing` where it changed nothing.
 Finding done(std::string_view code, std::size_t count, std::string text, std::string_view nothing) {
   return {.code = std::string(code),
           .severity = Severity::note,
@@ -65,7 +65,7 @@ struct PointGrid {
   std::array<std::int64_t, 3> cube(const Point& p) const {
     std::array<std::int64_t, 3> c{};
     for (std::size_t k = 0; k < 3; ++k) {
-      // What is no number merges with nothing: its cube does not matter.
+      // Points that are not numbers merge with nothing: their cubes do not matter.
       c[k] = whole_number<std::int64_t>(std::clamp(std::floor(p[k] / size), -9e18, 9e18));
     }
     return c;
@@ -110,7 +110,7 @@ std::vector<std::uint32_t> parts_by_faces(const FileMesh& mesh) {
 }  // namespace
 
 Finding merge_points(FileMesh& mesh, double distance) {
-  // Not so small that cubes far from the origin could not be told apart.
+  // Not so small that cubes far from the origin could not be distinguished.
   double extent = std::numeric_limits<double>::min();
   for (const Point& p : mesh.points) {
     for (const double x : p) extent = std::isfinite(x) ? std::max(extent, std::abs(x)) : extent;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Repairs of a mesh that a user asks for by name; each tells what it did.
+// Repairs of a mesh that a user requests by name; each gives a finding about its changes.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace sunder {
 
-/// What is to be done, in this order.
+/// The repairs to be done, in this order.
 struct Repairs {
   /// Points closer than this become one, m; 0: those that coincide.
   std::optional<double> merge_points;
@@ -30,13 +30,13 @@ Finding merge_points(FileMesh& mesh, double distance);
 /// Of tetrahedra with the same four points the first stays. O(n log n).
 Finding drop_duplicate_tetrahedra(FileMesh& mesh);
 
-/// Vertices whose star falls apart get a copy of their point for each part but the first, with its
-/// number, region and data; cells of lower dimension stay with the first.
+/// Vertices with a star of several parts get a copy of their point for each part but the first,
+/// with its number, region and data; cells of lower dimension stay with the first.
 /// Leaves the mesh as it is, with an error, where no map can be built (see build_map).
 Finding split_nonmanifold(FileMesh& mesh);
 
-/// Tetrahedra of the largest part that hangs together by faces stay (on a tie that with the lowest
-/// row), and cells of lower dimension whose points all belong to it. O(tetrahedra).
+/// Keeps the tetrahedra of the largest part connected by faces (on a tie that with the lowest row),
+/// and cells of lower dimension with all points in it. O(tetrahedra).
 Finding keep_largest_component(FileMesh& mesh);
 
 /// Tetrahedra of negative volume have two points swapped.
@@ -45,11 +45,11 @@ Finding fix_orientation(FileMesh& mesh);
 /// Points that no cell uses are dropped.
 Finding drop_unused_points(FileMesh& mesh);
 
-/// That volume cells are there which are no tetrahedra of first order, and that `who` needs those.
+/// An error if there are volume cells other than tetrahedra of first order, which `who` needs.
 std::optional<Finding> needs_tetrahedra(const FileMesh& mesh, std::string_view who);
 
-/// The repairs asked for, one finding each: notes with the count of what was changed, 0 too. Where
-/// one needs tetrahedra and there are other volume cells that is an error, and nothing is changed.
+/// The requested repairs, one finding each: notes with the count of changes, 0 too. If one needs
+/// tetrahedra and there are other volume cells, that is an error and nothing is changed.
 std::vector<Finding> repair(FileMesh& mesh, const Repairs& repairs);
 
 }  // namespace sunder

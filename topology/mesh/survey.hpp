@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The one pass behind check_mesh and build_map: adjacency, orientation, orbits, and what is wrong.
+// The one pass behind check_mesh and build_map: adjacency, orientation, orbits, and faults.
 // Internal. Works in the mesh's own numbering; `finish_rows` exchanges corners only at the end.
 #pragma once
 
@@ -17,7 +17,7 @@
 
 namespace sunder {
 
-/// What is known of a mesh while it is surveyed; columns have one entry a tetrahedron or a corner.
+/// The state of a mesh during its survey; columns have one entry per tetrahedron or corner.
 struct Survey {
   const TetMesh& mesh;
   Severity bad_volume = Severity::error;
@@ -88,14 +88,14 @@ struct FindingWords {
 /// Appends a finding when it has a place, and its places where the survey keeps them.
 void report(Survey& survey, const FindingWords& words, const Places& places);
 
-/// Rows and darts are numbered in 32 bits, 12 darts a tetrahedron.
+/// Rows and darts are numbered in 32 bits, 12 darts per tetrahedron.
 inline constexpr std::size_t most_tetrahedra = 0xffffffffU / 12;
 inline constexpr std::size_t most_points = 0xffffffffU;
 
 /// Reports a mesh of more than `tetrahedra` or `points`; nothing else can be asked of it then.
 void survey_size(Survey& survey, std::size_t tetrahedra, std::size_t points);
 
-/// Stages, in this order. Each reads what the earlier ones left.
+/// Stages, in this order. Each reads the results of the earlier ones.
 void survey_entries(Survey& survey);      // ranges, numbers, repeated vertices, volumes
 void survey_faces(Survey& survey);        // adjacency, copies, overfull faces
 void survey_orientation(Survey& survey);  // parity walk, then geometry
@@ -107,12 +107,12 @@ Survey survey_mesh(const TetMesh& mesh, Severity bad_volume, bool keeps_places =
 /// Errors first; those of one severity stay in their order.
 void sort_findings(std::vector<Finding>& findings);
 
-/// Stages that only a check of a whole file needs; see check.hpp for what each finds.
+/// Stages that only a check of a whole file needs; check.hpp lists their findings.
 void survey_links(Survey& survey);    // needs a survey without errors but those of volumes
 void survey_contact(Survey& survey);  // needs finite coordinates
 void survey_triangles(Survey& survey, const std::vector<std::array<std::uint32_t, 3>>& triangles);
 
-/// What `count_cells` gives of the map of a surveyed mesh, from its neighbours alone.
+/// The counts of `count_cells` for the map of a surveyed mesh, from its neighbours alone.
 /// Needs: a survey without errors but those of volumes. O(|T|), about 20 ns each.
 Counts count_cells(const Survey& survey);
 

@@ -204,7 +204,7 @@ void survey_orientation(Survey& s) {
     if (s.sign[t] != 0 && (s.sign[t] < 0) != (s.flipped[t] != 0)) folded.add(t);
   }
   report(s, non_orientable, conflicts);
-  if (conflicts.count() > 0) return;  // inverted against whom?
+  if (conflicts.count() > 0) return;  // no common orientation to compare with
   report(s, inverted_tetrahedron, inverted);
   FindingWords words = folded_tetrahedron;
   words.severity = s.bad_volume;

@@ -133,7 +133,7 @@ struct Flood {
   std::vector<std::uint32_t> stack;
 };
 
-/// What becomes known of edges while points are gone through.
+/// Results about edges, gathered while points are visited.
 struct EdgeWalk {
   /// Bit k: edge k of the tetrahedron is in an orbit that was met.
   std::vector<std::uint8_t> marked;

@@ -81,7 +81,7 @@ TEST_CASE("the paper's tables are all there, ours beside, the same in text, CSV 
   // The paper's own.
   CHECK(csv.at("bunny paper fracture_max") == 1320);
   CHECK(csv.at("monolith paper predictions") == 119);
-  // Ours: figures of every mode, and what belongs together agrees.
+  // Ours: figures of every mode, and related figures agree.
   for (const char* mode :
        {"paper_mode", "broyden_mass", "broyden_factor", "one_solve", "defaults"}) {
     for (const std::string scene : {"monolith", "block", "bunny"}) {
@@ -100,7 +100,7 @@ TEST_CASE("the paper's tables are all there, ours beside, the same in text, CSV 
   CHECK(csv.at("monolith paper_mode fractures") > 0);
   CHECK(csv.at("monolith paper_mode missed") == 0);
 
-  // Markdown rounds what the CSV has, and the text has the same cells.
+  // Markdown rounds the CSV's values, and the text has the same cells.
   const auto rows = table("Table 2");
   REQUIRE(rows[0].size() == 10);
   const double average = csv.at("monolith paper_mode model_av");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `sunder chart` from outside: what it prints and writes, and how it ends.
+// `sunder chart` from outside: its output and files, and how it ends.
 #include <stdlib.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Runs that differ by nothing: what is moved, by how much, and what becomes of their values.
+// Runs with negligible differences: the moved quantities, by how much, and the spread of values.
 #include "apps/bench/chart/chart_ensemble.hpp"
 
 #include <catch2/catch.hpp>

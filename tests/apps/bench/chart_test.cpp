@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What charts are made of: the front, finer meshes, the grid, the measures.
+// The parts of charts: the front, finer meshes, the grid, the measures.
 #include "apps/bench/chart/chart.hpp"
 
 #include <unistd.h>

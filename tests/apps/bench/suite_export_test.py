@@ -42,7 +42,7 @@ class Archive(unittest.TestCase):
         shutil.rmtree(cls.folder)
 
     def judge(self, kernel, *options):
-        """The judge as somebody has it who has nothing but the archive and Python."""
+        """The judge for a user with nothing but the archive and Python."""
         return run([sys.executable, "-I", self.suite / "judge.py", kernel, *options],
                    cwd=self.folder, env={"PATH": os.environ["PATH"]})
 

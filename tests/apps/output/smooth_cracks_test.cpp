@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Cracks drawn on their planes: what moves, what stays, and that no tetrahedron turns over.
+// Cracks drawn on their planes: moved and fixed points, and no tetrahedron turned over.
 #include "apps/output/smooth_cracks.hpp"
 
 #include <Eigen/Dense>
@@ -199,7 +199,7 @@ TEST_CASE("a plane crack is drawn nearly plane, edges of the body stay edges, co
 
 TEST_CASE("a point of two cracks goes to where their planes meet", "[output][smooth_cracks]") {
   sunder::Cells cells = cells_of(kuhn_box({6, 6, 6}, h));
-  // A little beside grid planes: moves are too short for the bound.
+  // A little off grid planes: moves are too short for the bound.
   const Vec3 at = Vec3(3.05, 3.1, 0) * h;
   const CrackId first = crack_along(cells, {Vec3::UnitX(), at});
   const CrackId second = crack_along(cells, {Vec3::UnitY(), at});

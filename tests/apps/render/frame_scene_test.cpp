@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is wrong with a scene is named; colors and tints behave.
+// Faults of a scene are named; colors and tints behave.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
@@ -91,7 +91,7 @@ TEST_CASE("colors survive the way to linear light and back", "[render][color]") 
   for (int i = 0; i <= 255; ++i) {
     const float v = static_cast<float>(i) / 255;
     const Color back = to_srgb(to_linear({v, 1 - v, 0.5f}));
-    CHECK(back.r == Approx(v).margin(1e-5));  // far below the 1/255 that a byte can tell
+    CHECK(back.r == Approx(v).margin(1e-5));  // far below the 1/255 step of a byte
     CHECK(back.g == Approx(1 - v).margin(1e-5));
   }
   CHECK(to_linear({0.5f, 0, 1}).r == Approx(0.2140f).epsilon(1e-3));  // IEC 61966-2-1

@@ -119,7 +119,7 @@ TEST_CASE("a body darkens the ground away from the light, and nowhere else", "[r
   scene.light.to_key = {-1, 0, 1};
   scene.light.key_angle = 0.01f;
   const Camera above{.eye = {0, 0, 12}, .up = {0, 1, 0}};
-  // A plate at height 2 throws its shadow 2 to the right, beside itself: 15 pixels to the meter.
+  // A plate at height 2 throws its shadow 2 to the right, next to it: 15 pixels to the meter.
   scene.boxes.push_back({.center = {0, 0, 2}, .half_extent = {0.4f, 0.4f, 0.02f}});
   const Image image = draw(*renderer, scene, above);
   const int per_two_meters = static_cast<int>(2 * height / (2 * 12 * std::tan(0.24)));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Output settings held against the scene they are of.
+// Output settings checked against their scene.
 #include "apps/scene/check_output.hpp"
 
 #include <catch2/catch.hpp>

@@ -23,7 +23,7 @@ using nlohmann::json;
 
 namespace {
 
-/// Every object schema and what it describes, by pointer into a scene.
+/// Every object schema and its object, by pointer into a scene.
 void visit_objects(const json& schema, const std::string& at,
                    const std::function<void(const json&, const std::string&)>& visit) {
   if (schema.contains("properties")) {

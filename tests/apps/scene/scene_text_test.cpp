@@ -84,7 +84,7 @@ TEST_CASE("a setting changes one value, as JSON or else as text", "[run][scene_t
   CHECK(apply_setting(text, "on=true").empty());
   CHECK(text.root == json::parse(R"({"bodies": [{"a": 1, "b": [1, 2]}, {"a": 2.5e6}],
                                      "gravity": {"ramp_time": 2}, "name": "a=b", "on": true})"));
-  // What a setting put there stands in no line of the file.
+  // A value that a setting added stands in no line of the file.
   CHECK(text.line.count("/bodies/1/a") == 0);
   CHECK(text.line.count("/bodies/0/a") == 1);
 }

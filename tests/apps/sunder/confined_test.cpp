@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Scenes and results of somebody else: what they name outside their folders is neither written nor,
-// where that is asked for, read.
+// Scenes and results of somebody else: files that they name outside their folders are not written
+// and, on request, not read.
 #include <sys/stat.h>
 
 #include <catch2/catch.hpp>
@@ -21,8 +21,8 @@ using nlohmann::json;
 
 namespace {
 
-/// A folder with a scene in it that names `file` by `key`, beside a folder with what is not its
-/// own.
+/// A folder with a scene in it that names `file` by `key`, next to a folder with files of somebody
+/// else.
 struct Place {
   Workplace here;
   fs::path root = here.path("");
@@ -49,7 +49,7 @@ struct Place {
   }
 };
 
-/// What the run writes outside `out`: names and bytes.
+/// The files that the run writes outside `out`: names and bytes.
 std::string snapshot(const fs::path& root, const fs::path& out) {
   std::string all;
   for (const auto& entry : fs::recursive_directory_iterator(root)) {

@@ -22,7 +22,7 @@ namespace {
 
 constexpr unsigned seed = 20261121;
 
-/// `n` values of the law whose inverse upper tail is `quantile`, ascending.
+/// `n` values of the law with the inverse upper tail `quantile`, ascending.
 std::vector<double> sample(std::size_t n, unsigned number,
                            const std::function<double(double)>& quantile) {
   std::mt19937_64 random(seed + number);

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Reads with meshio, gmsh and VTK what `sunder split -o` and `sunder convert` write.
+"""Reads the files of `sunder split -o` and `sunder convert` with meshio, gmsh and VTK.
 
 Usage: others_read_it.py SUNDER MESHES SAMPLES. Exit code 77: nothing here to read it with.
 """

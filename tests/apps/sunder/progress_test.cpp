@@ -181,7 +181,8 @@ TEST_CASE("a run reports its progress within a step that does not end", "[run][p
     const int file = open(err.c_str(), O_WRONLY | O_CREAT, 0600);
     dup2(file, STDERR_FILENO);
     dup2(open("/dev/null", O_WRONLY), STDOUT_FILENO);
-    // One step, in which the bunny shatters: sub-steps of an impact, too many to come to an end here.
+    // One step, in which the bunny shatters: sub-steps of an impact, too many to come to an end
+    // here.
     execl(SUNDER_PROGRAM, SUNDER_PROGRAM, "run", SUNDER_SCENES "/bunny.json", "--set",
           "time_step=0.8", "--set", "impact.max_sub_steps=1000000", "-o", out.c_str(), nullptr);
     _exit(127);

@@ -49,7 +49,7 @@ TEST_CASE("releases are held to their places, and to what the replay releases", 
   refused([&](Lines& l) { l.back()["releases"] = 1; }, "says releases 1");
   refused([&](Lines& l) { l[row].erase("part"); }, "\"part\"");
   refused([&](Lines& l) { l[row]["step"] = 0; }, "comes before");
-  // What no reader can tell the replay finds, in its line.
+  // Faults that no reader can see are found by the replay, with their line.
   forge(log, other, [&](Lines& l) { l[row]["faces"][0]["energy"] = 1; });
   const Outcome o = run(place, "b", "--replay " + other.string());
   INFO(o.text());

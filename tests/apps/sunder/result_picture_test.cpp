@@ -111,7 +111,7 @@ TEST_CASE("a run is drawn, exported with keys where it is struck, and its end wr
   const auto drawn = here.run({"render", out, here.path("end.png"), "--explode", "0.5", "--size", "320,200"});
   CHECK(drawn.exit_code == 0);
   CHECK(fs::file_size(here.path("end.png")) > 1000);
-  // What is bent is drawn elsewhere where it is bent more, and the rigid reference is not.
+  // A bent body is drawn elsewhere where it is bent more, and the rigid reference is not.
   const auto bent = [&](const char* shape, const char* factor) {
     const std::string picture = here.path("bent.png");
     CHECK(here.run({"render", out, picture, "--show", shape, "--magnify", factor, "--size", "320,200"})

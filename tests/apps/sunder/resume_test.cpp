@@ -36,8 +36,8 @@ json saved_scene() {
   return scene;
 }
 
-/// Everything that a run of the same scene leaves with the same bytes, by name; of the report what
-/// no clock decides.
+/// All files that a run of the same scene writes with the same bytes, by name; of the report the
+/// parts that no clock decides.
 std::map<std::string, std::string> files_of(const fs::path& folder) {
   std::map<std::string, std::string> files;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
@@ -194,7 +194,7 @@ TEST_CASE("a branch begins as its run and goes on by other settings", "[run][res
   CHECK(o.exit_code == 3);
   CHECK(o.err.find("branched_log") != std::string::npos);
 
-  // What began cannot begin otherwise.
+  // Settings of the beginning cannot be changed in mid-run.
   o = here.run({"run", file, "--set", "bodies.0.material.tensile_strength=1e6", "--resume",
                 here.path("run"), "--from", "40", "-o", here.path("other")});
   CHECK(o.exit_code == 3);

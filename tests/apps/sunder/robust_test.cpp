@@ -66,7 +66,7 @@ TEST_CASE("standard error that is full, closed or read by nobody ends no command
     CHECK(exit_of_shell("\"$sunder\" nothing " + std::string(err)) == 2);
     CHECK(exit_of_shell("\"$sunder\" " + std::string(err)) == 2);
   }
-  // A pipe whose reader has gone.
+  // A pipe without a reader.
   CHECK(exit_of_shell("{ { sleep 0.1; \"$sunder\" run " + scene + " --verbose --force -o " +
                       here.path("out") + " >/dev/null; echo $? >" + here.path("code") +
                       "; } 2>&1; } | true") == 0);

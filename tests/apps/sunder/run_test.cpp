@@ -28,7 +28,7 @@ fs::path write_scene(const Folder& folder, const json& scene) {
   return folder.path() / "scene.json";
 }
 
-/// Runs a shipped scene for `duration` (s) and holds what is left against the laws.
+/// Runs a shipped scene for `duration` (s) and checks the result against the laws.
 void hold_scene(const std::string& name, double duration) {
   auto file = sunder::read_scene(std::string(SUNDER_SCENES "/") + name + ".json");
   REQUIRE(file);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Troubles of a run: each kind is told, with its steps and its size, and nothing where there is
+// Troubles of a run: each kind is reported, with its steps and its size, and nothing where there is
 // none.
 #include "apps/sunder/run/report/run_warnings.hpp"
 
@@ -226,13 +226,13 @@ TEST_CASE("rounding and what contact leaves are no warning about energy, at ever
 TEST_CASE("energy that a scheme gains or loses is a warning, at every scale", "[run][energy]") {
   const double length = GENERATE(1e-6, 1e-3, 1.0, 1e3);
   INFO("cells of " << length << " m");
-  // Explicit steps beyond the critical one: what rings grows.
+  // Explicit steps beyond the critical one: vibrations grow.
   Scene rings = box_of_cells(length);
   rings.integrator.integrator = Integrator::verlet;
   rings.integrator.time_step = length / compression_wave_speed(rings.bodies[0].material);
   rings.obstacles = {{Plane{}}};
   CHECK(has(energy_warnings(rings, 60), "energy_rises"));
-  // Implicit Euler brakes what spins: by a twentieth in these steps.
+  // Implicit Euler brakes a spinning body: by a twentieth in these steps.
   Scene brakes = box_of_cells(length);
   brakes.integrator.integrator = Integrator::implicit_euler;
   brakes.gravity.acceleration.setZero();

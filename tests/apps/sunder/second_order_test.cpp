@@ -48,7 +48,7 @@ LoadBox on_top(double pressure) {
   return {.minimum = {-1, -1, 0.1 - 1e-6}, .maximum = {99, 9, 9}, .pressure = pressure};
 }
 
-/// What `sunder` says of a scene of one mesh file that it finds beside.
+/// A scene with one mesh file next to it.
 json scene_json() {
   return {{"gravity", {{"acceleration", {0, 0, -9.81}}}},
           {"bodies",
@@ -187,7 +187,8 @@ TEST_CASE("a body of second order runs, and what needs the first order says so",
   REQUIRE(written);
   CHECK(rows_of(*written, CellKind::tetrahedron10).size() == 4 * 6);
   CHECK(written->points.size() == 9 * 3 * 3);
-  // Nodes of edges lie where VTK has them: in the middle of 01, 12, 02, 03, 13, 23, but for the bending.
+  // Nodes of edges lie where VTK has them: in the middle of 01, 12, 02, 03, 13, 23, but for the
+  // bending.
   constexpr std::size_t ends[6][2] = {{0, 1}, {1, 2}, {0, 2}, {0, 3}, {1, 3}, {2, 3}};
   const auto cells = rows_of(*written, CellKind::tetrahedron10);
   for (std::size_t row = 0; row < cells.size(); ++row) {
@@ -224,7 +225,7 @@ TEST_CASE("a mesh is made second-order and linear again, and a scene takes it st
   CHECK(back->points.size() == bar.points.size());
   CHECK(back->tetrahedra.corners == bar.tetrahedra);
 
-  // The middle of an edge by a hundredth of the edge beside it.
+  // The middle of an edge is moved off it by a hundredth of the edge.
   raised->points[rows_of(*raised, CellKind::tetrahedron10)[0][4]][2] += 1e-3;
   REQUIRE(write_file_mesh(path("bar.msh"), *raised).empty());
   const test::Outcome curved = test::run_program("static " + path("scene.json"));

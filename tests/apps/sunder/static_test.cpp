@@ -253,7 +253,7 @@ TEST_CASE("sunder static answers in JSON, writes VTU and ends as it says", "[run
   CHECK(refused.err.find("[not_supported: 0]") != std::string::npos);
   CHECK(here.run(cube_scene(), "--jason").exit_code == 2);
   CHECK(here.run(cube_scene(), "-o /nowhere/at/all.vtu").exit_code == 4);
-  // Numbers whose energies would overflow are refused.
+  // Numbers that would make energies overflow are refused.
   for (const char* far :
        {"bodies.0.material.young_modulus=1e-300", "gravity.acceleration=[0,0,1e306]"}) {
     const test::Outcome overflow =

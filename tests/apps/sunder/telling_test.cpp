@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// --quiet, --verbose and colours: what is told on standard error.
+// --quiet, --verbose and colours: the messages on standard error.
 #include "apps/sunder/telling.hpp"
 
 #include <fcntl.h>
@@ -34,7 +34,7 @@ class Terminal {
   }
   int descriptor() const { return descriptor_; }
   std::string name() const { return ptsname(master_); }
-  /// What was written there, up to a buffer's length.
+  /// The text written there, up to a buffer's length.
   std::string text() const {
     std::string bytes(4000, '\0');
     const ssize_t n = read(master_, bytes.data(), bytes.size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Results do not depend on the number of threads, nor on what holds the topology.
+// Results depend neither on the number of threads nor on the topology's kernel.
 #include <atomic>
 #include <catch2/catch.hpp>
 #include <cstring>
@@ -74,7 +74,7 @@ TEST_CASE("A scene takes the same bytes by rows and by CGAL's darts", "[run][ker
   CHECK(by[0].state->cells.map.kernel() == MapKernel::dense);
   CHECK(by[1].state->cells.map.kernel() == MapKernel::lcc);
   CHECK(by[0].state->fans > 10);
-  // All that is saved but the word that told them apart.
+  // All saved data but the one word that differs.
   for (Simulation& sim : by) sim.scene.topology = {};
   CHECK(saved_state(by[0]) == saved_state(by[1]));
 }

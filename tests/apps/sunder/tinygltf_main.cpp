@@ -52,7 +52,7 @@ Eigen::Quaterniond rotation_of(const std::vector<double>& q) {
                        : Eigen::Quaterniond::Identity();
 }
 
-/// What the animation says of a node, a row a key.
+/// The animation of a node, a row per key.
 struct Track {
   std::vector<double> time;
   std::vector<std::vector<double>> centre, turn;
@@ -100,7 +100,7 @@ std::vector<Vec3> placed(const std::vector<std::vector<double>>& vertices, const
   return places;
 }
 
-/// For each place the corner whose rigid reference is nearest to it.
+/// For each place the corner with the nearest rigid reference.
 std::vector<std::size_t> nearest(const std::vector<Vec3>& places, const ResultFrame& frame,
                                  const std::vector<std::size_t>& corners) {
   std::vector<std::size_t> found;

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Tetrahedra of order 1 and 2 side by side: errors against closed forms, and what they cost.
+"""Tetrahedra of order 1 and 2 side by side: errors against closed forms, and their costs.
 
     tests/experiments/bending/order_charts.py SUNDER [--only PART ...] [--page PAGE.md] [--repeats N]
 
-Prints the tables of docs/lab/second_order.md; with --page they take the place of what stands there between
-`<!-- PART -->` and `<!-- end of PART -->`, and charts (by gnuplot) are written to charts/ beside the page.
-Times are of the processor, not of the wall, both orders in turn, the median of N runs (3).
+Prints the tables of docs/lab/second_order.md. With --page they replace the text there between
+`<!-- PART -->` and `<!-- end of PART -->`, and charts (by gnuplot) are written to charts/ next to
+it. Times are of the processor, not of the wall, both orders in turn, the median of N runs (3).
 
 Needs python3-meshio, python3-scipy; parts exact and modes also ccx (CalculiX),
 unstructured also gmsh.

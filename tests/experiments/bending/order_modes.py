@@ -51,7 +51,7 @@ GAUSS = [[0.5854101966249685 if i == k else 0.1381966011250105 for i in range(4)
 
 
 def four_point_mass():
-    """The same by the four points of the stiffness: what CalculiX has in C3D10."""
+    """The same by the four points of the stiffness, as CalculiX has it in C3D10."""
     N = numpy.array([[L[i] * (2 * L[i] - 1) for i in range(4)] + [4 * L[i] * L[j] for i, j in EDGES] for L in GAUSS])
     return N.T @ N / 4
 
@@ -235,7 +235,7 @@ def modes(sunder, folder, _):
     lines = []
     beam, plate = (1.0, 0.08, 0.05), (0.3, 0.3, 0.006)
     sides = [box(plate, axis, high) for axis in (0, 1) for high in (False, True)]
-    for name, size, held, theory, grids in (  # what is left out: twists of order 2 lie lower
+    for name, size, held, theory, grids in (  # left out: twists of order 2, which lie lower
             ("cantilever, 1 x 0.08 x 0.05 m", beam, [box(beam, 0, False)], beam_theory(*beam, True)[:9],
              ((8, 1, 1), (16, 1, 1), (32, 2, 2))),
             ("free bar, the same", beam, [], beam_theory(*beam, False)[:8], ((8, 1, 1), (16, 1, 1), (32, 2, 2))),

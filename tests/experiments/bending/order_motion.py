@@ -99,12 +99,13 @@ def bar(sunder, folder, repeats):
 
 
 def grading(first, n):
-    """k of sinh(k u) / sinh(k), the first of whose n parts is `first` of the whole."""
+    """k of sinh(k u) / sinh(k) such that the first of n parts is `first` of the whole."""
     return scipy.optimize.brentq(lambda k: math.sinh(k / n) / math.sinh(k) - first, 1e-6, 30)
 
 
 def round_block(n, smallest):
-    """A block of 1 m whose lower face is a paraboloid of radius 1 m; cells of `smallest` in the middle of it."""
+    """A block of 1 m with a paraboloid of radius 1 m as lower face; cells of `smallest` in its
+    middle."""
     nz = max(2, 2 * n // 3 + 1)
     k, kz = grading(min(smallest / 0.5, 0.98 / n), n), grading(min(smallest, 0.98 / nz), nz)
 

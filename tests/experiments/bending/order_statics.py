@@ -65,7 +65,7 @@ def pane_case(order, layers):
 
 def three_point_case(order, layers):
     """L/h = 9, a line of forces above the middle: deflection below it over Timoshenko's, and the stress there over
-    3 F L / (2 b h^2) less what the line takes (0.27 F / (b h), von Karman and Seewald)."""
+    3 F L / (2 b h^2) less the part of the line (0.27 F / (b h), von Karman and Seewald)."""
     length, width, height, force = 0.4, 0.02, 0.04, 1000.0
     cells = (40 if layers < 3 else 20 * layers, max(1, layers // 2), layers)
     left, right, middle = 0.02, 0.38, 0.2

@@ -93,7 +93,7 @@ def graded(side, least, cells):
 
 
 def graded_fans(sunder, folder, _):
-    """Time and place of the first fan of the pane whose cells are small under the ball."""
+    """Time and place of the first fan of the pane with small cells under the ball."""
     rows = []
     meshes = ((0.012, 10, 1), (0.006, 14, 1), (0.004, 16, 1), (0.003, 16, 2))
     for (least, n, layers), order in itertools.product(meshes, (1, 2)):

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""What the parts of order_charts.py share: programs timed by the processor's own clock, meshes, tables."""
+"""Shared by the parts of order_charts.py: programs timed by the processor's own clock, meshes,
+tables."""
 import json
 import shutil
 import statistics
@@ -25,7 +26,7 @@ WATCH = ("import resource, subprocess, sys; p = subprocess.run(sys.argv[1:], std
 def timed(command, limit=None):
     """Output, seconds of the processor (user and system) and peak memory in MB of a program.
 
-    Seconds of the processor, not of the wall: what other programs take of the machine is left out.
+    Seconds of the processor, not of the wall: the time of other programs is left out.
     Exit codes 0 and 5 (a run that failed) pass; others, and more seconds than `limit`, raise."""
     words = [str(w) for w in command]
     if limit:
@@ -80,7 +81,7 @@ def steps_for(cells):
 
 
 def processor_seconds(pid):
-    """What a process has had of the processor so far, s; None where it has ended."""
+    """Processor time of a process so far, s; None where it has ended."""
     try:
         return 1e-9 * int(Path(f"/proc/{pid}/schedstat").read_text().split()[0])
     except (FileNotFoundError, ProcessLookupError):
@@ -107,9 +108,9 @@ def middle_third(sunder, folder, scene, steps):
 
 
 def step_seconds(sunder, folder, scene, steps, limit=None):
-    """Seconds a step; of all else in the run, mostly the first step, which factors; peak memory. A step's are the
-    median step's by the wall where that is short against the slices in which the machine is shared, else what it
-    takes of the processor."""
+    """Seconds per step; of all else in the run, mostly the first step, which factors; peak memory.
+    A step's seconds are the median step's by the wall where that is short against the slices in
+    which the machine is shared, else its processor time."""
     whole = dict(scene, duration=scene["time_step"] * steps)
     report, seconds, peak = run_scene(sunder, folder, whole, ["--frames", "0"], limit)
     step = 1e-3 * report["step_ms"]["median"]
@@ -130,8 +131,8 @@ def frames(folder):
 
 
 def grid(cells, place):
-    """Points and tetrahedra of a block of (nx, ny, nz) cells whose corners are put by `place(u, v, w)`, each from
-    0 to 1. Diagonals alternate."""
+    """Points and tetrahedra of a block of (nx, ny, nz) cells with corners put by `place(u, v, w)`,
+    each from 0 to 1. Diagonals alternate."""
     nx, ny, nz = cells
     points = numpy.array([place(i / nx, j / ny, k / nz) for k in range(nz + 1) for j in range(ny + 1)
                           for i in range(nx + 1)])

@@ -5,9 +5,9 @@ everywhere, whatever the friction.
 
     tests/experiments/bending/pressed_blocks.py SUNDER
 
-A row for the orders of lower and upper block and a friction: the largest error of the stress at corners over the
-pressure, 0.2 s after the load began to rise (for 0.05 s), for blocks whose faces match, and for blocks whose squares
-have other diagonals. Needs python3-meshio."""
+A row for the orders of lower and upper block and a friction: the largest error of the stress at
+corners over the pressure, 0.2 s after the load began to rise (for 0.05 s), for blocks with matching
+faces, and for blocks with other diagonals in their squares. Needs python3-meshio."""
 import argparse
 import json
 import subprocess

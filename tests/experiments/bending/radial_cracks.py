@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Radial cracks of a struck disc of plexiglas: how many, by the speed of the ball, beside Vandenberghe, Vermorel and
-Villermaux (Physical Review Letters 110, 174302, 2013), who count 4 to 8 and a growth with the root of the speed.
+"""Radial cracks of a struck disc of plexiglas: how many, by the speed of the ball, next to the
+count of Vandenberghe, Vermorel and Villermaux (Physical Review Letters 110, 174302, 2013): 4 to 8,
+growing with the root of the speed.
 
     tests/experiments/bending/radial_cracks.py SUNDER [--cell 0.003] [--centre 0.001] [--radius 0.03] [--seeds 3]
                                                [--orders 2] [--one-frame] [--step S] [--viscosity S] [--speeds KM_H ...]

@@ -28,7 +28,8 @@ EDGES = [(0, 1), (1, 2), (0, 2), (0, 3), (1, 3), (2, 3)]  # CalculiX's middle no
 
 
 def kuhn_cells(cells, points):
-    """Tetrahedra of a block of (nx, ny, nz) cells whose `points` go x first, then y; diagonals alternate."""
+    """Tetrahedra of a block of (nx, ny, nz) cells with `points` x first, then y; diagonals
+    alternate."""
     nx, ny, nz = cells
 
     def row(i, j, k):

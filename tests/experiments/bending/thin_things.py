@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Thin things of glass and what strikes them: panes, a cup, a vase, a beam, a tile."""
+"""Thin things of glass and the bodies that strike them: panes, a cup, a vase, a beam, a tile."""
 import math
 
 import numpy
@@ -55,7 +55,7 @@ def shell(radius, floor, height, thickness, around, up, layers=1):
                     add(tuple(corner[c] for c in a))
     for j in range(around):
         for k in range(layers):
-            # A prism of the hub; its diagonals leave the outer side as the ring beside has it.
+            # A prism of the hub; its diagonals leave the outer side as the next ring has it.
             low = [hub[k], index[0, j, k], index[0, (j + 1) % around, k]]
             high = [hub[k + 1], index[0, j, k + 1], index[0, (j + 1) % around, k + 1]]
             if j % 2 == k % 2:

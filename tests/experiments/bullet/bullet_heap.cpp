@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// `bullet_heap SEED SECONDS PER_SECOND [MARGIN mm] [sat|gjk] [ours a second]`: the same chips by the
-// rubble solver and by Bullet in double, in one run. Not part of the build: docs/lab/rubble_measured.md
-// has the line that compiles it.
+// `bullet_heap SEED SECONDS PER_SECOND [MARGIN mm] [sat|gjk] [ours a second]`: the same chips by
+// the rubble solver and by Bullet in double, in one run. Not part of the build:
+// docs/lab/rubble_measured.md has the line that compiles it.
 #include <btBulletDynamicsCommon.h>
 
 #include <Eigen/Eigenvalues>
@@ -24,7 +24,8 @@ using namespace sunder::test;
 
 namespace {
 
-/// Lengths in Bullet's world for each metre: its threshold of contacts is 2 cm, whatever their size.
+/// Lengths in Bullet's world for each metre: its threshold of contacts is 2 cm, whatever their
+/// size.
 constexpr double scale = 100;
 
 btVector3 to_bullet(const Vec3& x) { return {x[0], x[1], x[2]}; }
@@ -141,7 +142,7 @@ void print(const char* who, double time, double ms, const std::vector<SeenPart>&
   std::fflush(stdout);
 }
 
-/// A chip let go above the floor: what the two say of how it lies.
+/// A chip let go above the floor: its final position by both programs.
 void one_chip(const BulletWay& way, int per_second) {
   RubbleScene scene = ground();
   add_tetrahedron(scene, {Vec3(0, 0, 1e-3), Vec3(0.01, 0, 1e-3), Vec3(0.01, 0.01, 1e-3), Vec3(0.01, 0.01, 0.011)}, 2400);

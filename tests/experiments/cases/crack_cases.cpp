@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Meshes graded towards the crack, pre-cut, pulled, solved, and asked for what their tips release.
+// Meshes graded towards the crack, pre-cut, pulled, solved, and the energy released at their tips.
 #include "tests/experiments/cases/crack_cases.hpp"
 
 #include <cmath>
@@ -59,7 +59,7 @@ Vec3 rest(const VolumeMap& map, VertexId v) {
   return {p[0], p[1], p[2]};
 }
 
-/// Interior faces on the crack's plane whose centre lies between two distances.
+/// Interior faces on the crack's plane with a centre between two distances.
 std::vector<HalfFaceId> faces_between(const VolumeMap& map, const Case& c, double from, double to) {
   std::vector<HalfFaceId> faces;
   for (std::size_t f = 0; f < 4 * map.tetrahedra(); ++f) {
@@ -119,7 +119,7 @@ Cracked solved(const Case& c, std::uint32_t order) {
   return {std::move(*simulation), std::move(equilibrium->node_stress)};
 }
 
-/// `release`: the closed form over what is grown by one element, J/m^2 at `sigma`; `K`: at the tip.
+/// `release`: closed form over the growth by one element, J/m^2 at `sigma`; `K`: at the tip.
 CrackAnswer measured(const Case& c, CrackMesh mesh, double release, double K) {
   Cracked body = solved(c, mesh.order);
   const Cells& cells = body.simulation.state->cells;

@@ -7,7 +7,7 @@
 
 namespace sunder::accuracy {
 
-/// What a cracked body shows at its crack tip, against the closed form.
+/// Results at the crack tip of a cracked body, against the closed form.
 struct CrackAnswer {
   int cells = 0;             ///< a / h: crack length over the elements at its tip
   std::size_t vertices = 0;  ///< of the body
@@ -25,7 +25,7 @@ struct CrackAnswer {
   double factor = 0;
 };
 
-/// How finely a case is divided, and by what.
+/// The division of a case into elements, and their order.
 struct CrackMesh {
   int cells = 8;            ///< a / h
   std::uint32_t order = 1;  ///< of its tetrahedra

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The bar as a scene, its run, and what is counted.
+// The bar as a scene, its run, and the counts.
 #include "tests/experiments/cases/crack_growth.hpp"
 
 #include <algorithm>

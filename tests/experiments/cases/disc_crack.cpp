@@ -84,7 +84,7 @@ double centre_tension(const Scene& scene) {
   return tension / (2 * strength);
 }
 
-/// What the fans on the diameter are made of.
+/// The extent and the area of the fans on the diameter.
 struct DiameterCrack {
   double lowest = 1, highest = -1;  ///< m
   double area = 0, across = 0;      ///< m^2

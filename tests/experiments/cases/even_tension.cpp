@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The queue of vertices on crack faces, and the areas of what they leave.
+// The queue of vertices on crack faces, and the areas of the faces left.
 #include "tests/experiments/cases/even_tension.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The falling cube, and what is measured of any falling scene.
+// The falling cube, and the measurements of any falling scene.
 #include "tests/experiments/cases/falling_scene.hpp"
 
 #include <algorithm>

@@ -6,7 +6,7 @@
 
 namespace sunder::accuracy {
 
-/// What a run of a scene came to.
+/// The outcome of a run of a scene.
 struct FallOutcome {
   double first_fan = 0;  ///< s; 0: none
   std::size_t fans = 0;

@@ -38,8 +38,8 @@ Scene flight_scene(const FreeFlight& flight) {
   return scene;
 }
 
-/// Spins the rod about its axis of largest inertia and lets it come to rest in its own frame: steps
-/// far longer than its periods do that, with what momentum it has.
+/// Spins the rod about its axis of largest inertia and lets it come to rest in its own frame: by
+/// steps far longer than its periods, with its momentum kept.
 void spin_up(Simulation& sim, double spin) {
   MechanicsState& m = sim.state->mechanics;
   const Component& rod = m.components[0];

@@ -29,7 +29,7 @@ struct FlightDrift {
   /// Largest eigenvalue of a node stress over rho w^2 L^2 / 8: the least and the most there was.
   double least_stress = 0, most_stress = 0;
   std::size_t fans = 0;
-  std::string failure;  ///< what the step that failed said; empty: none failed
+  std::string failure;  ///< the message of the step that failed; empty: none failed
 };
 
 FlightDrift run_free_flight(const FreeFlight& flight);

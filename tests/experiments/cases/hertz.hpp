@@ -6,10 +6,10 @@
 
 namespace sunder::accuracy {
 
-/// A block of 1 x 1 x 1 m whose lower face is a paraboloid of radius 1 m falls on a rigid plane
-/// without friction. Cells shrink towards the contact. What Hertz leaves out grows with the radius
-/// of contact over the block's half width (a twentieth to a tenth here): the block is no half-space
-/// and shortens as a whole.
+/// A block of 1 x 1 x 1 m with a paraboloid of radius 1 m as lower face falls on a rigid plane
+/// without friction. Cells shrink towards the contact. The error of Hertz's theory grows with the
+/// radius of contact over the block's half width (a twentieth to a tenth here): the block is no
+/// half-space and shortens as a whole.
 struct HertzImpact {
   int cells = 8;           ///< across half the width, and two thirds as many in the height
   double smallest = 0.02;  ///< width of the cells in the middle, m
@@ -17,7 +17,7 @@ struct HertzImpact {
   double poisson_ratio = 0.2;
 };
 
-/// What came of it, over Hertz's answer but for what is said.
+/// Results relative to Hertz's answer, unless noted.
 struct HertzOutcome {
   std::size_t vertices = 0;
   double radius_cells = 0;  ///< Hertz's radius of contact at the peak, in smallest cells

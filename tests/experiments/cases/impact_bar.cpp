@@ -53,7 +53,7 @@ Scene scene_of(const BarImpact& impact, const Scales& scales) {
   return scene;
 }
 
-/// What is followed through the run.
+/// The quantities followed through the run.
 struct Watch {
   Scales scales;
   double first_push = -1, last_push = -1;  ///< s

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The flat bar on a rigid wall (nu = 0): what a run makes of an impact whose answer is known.
+// The flat bar on a rigid wall (nu = 0): a run of an impact with a known answer.
 #pragma once
 
 #include <array>
@@ -25,7 +25,7 @@ struct BarImpact {
   ImpactSettings impact = {};
 };
 
-/// What came of it; all of it would be 1 for the exact bar, but for what is said.
+/// Results; all would be 1 for the exact bar, unless noted.
 struct BarOutcome {
   double element_compression = 0;  ///< largest over elements and time, / rho c v
   double node_compression = 0;     ///< the same of node stresses (eq. 6)

@@ -25,8 +25,8 @@ LadderOutcome run_on_ladder(const Scene& scene);
 /// The same scene without the lower rungs.
 Scene always_full(Scene scene);
 
-/// The same scene, gravity greater by 1e-12 of itself and bodies faster by 1e-12 m/s: what it
-/// does otherwise then is decided by less than any arithmetic.
+/// The same scene, gravity greater by 1e-12 of itself and bodies faster by 1e-12 m/s: differences
+/// of its run are decided by less than any arithmetic.
 Scene moved_by_nothing(Scene scene);
 
 /// How many fans of two runs are the same, from the first on.

@@ -142,7 +142,7 @@ std::vector<Triangle> delaunay(const std::vector<Plane>& given) {
   points.push_back({low[0] - 1000 * size, high[1] + 2000 * size});
   std::vector<Circled> live = {circled(points, {n, n + 1, n + 2})};
   for (std::uint32_t p = 0; p < n; ++p) {
-    std::map<std::array<std::uint32_t, 2>, int> rim;  // directed edges of what is taken out
+    std::map<std::array<std::uint32_t, 2>, int> rim;  // directed edges of the removed triangles
     const auto holds = [&](const Circled& t) {
       const double x = points[p][0] - t.centre[0], y = points[p][1] - t.centre[1];
       return x * x + y * y < t.squared;

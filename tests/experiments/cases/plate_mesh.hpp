@@ -40,8 +40,9 @@ using Triangle = std::array<std::uint32_t, 3>;
 /// triangles on the hull are left out. O(n^2).
 std::vector<Triangle> delaunay(const std::vector<std::array<double, 2>>& points);
 
-/// The plate's tetrahedra: three a triangle and layer, the diagonals of the sides from the point of
-/// lower number. Errors: throws std::runtime_error where the triangles do not fill the rectangle.
+/// The plate's tetrahedra: three per triangle and layer, the diagonals of the sides from the point
+/// of lower number. Errors: throws std::runtime_error where the triangles do not fill the
+/// rectangle.
 TetMesh plate_mesh(const PlateShape& shape);
 
 }  // namespace sunder::accuracy

@@ -120,7 +120,7 @@ PlateCase compact_tension(const PlateChoice& choice) {
   body.held.push_back({.minimum = {-wide, 0.1 - mouth - eps, -wide},
                        .maximum = {deep + eps, 0.1 - eps, wide},
                        .axes = {Axis::x, Axis::y}});
-  // The arms would break beside the frame, which stiffens them.
+  // The arms would break next to the frame, which stiffens them.
   body.unbreakable = {{RestBox{{-wide, -wide, -wide}, {0.07, wide, wide}}}};
   plate.duration = 150e-6 + 3e-4 / rate;
   if (choice.step == 0) plate.scene.integrator.time_step = rate < 0.5 ? 2e-5 : 2e-6;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Published plates in which cracks run fast, with cracks that take energy: scenes and what is read
-// off their cracks.
+// Published plates in which cracks run fast, with cracks that take energy: scenes, and measurements
+// of their cracks.
 #pragma once
 
 #include <string>
@@ -20,13 +20,13 @@ struct PlateCase {
   double duration = 0;  ///< s
 };
 
-/// What may be chosen of a case; zero or none: the published value.
+/// Choices for a case; zero or none: the published value.
 struct PlateChoice {
   double cell = 0;  ///< m
   PlateCells cells = PlateCells::kuhn;
   std::uint64_t seed = 1;
   double strength = 0;  ///< Pa
-  double rate = 0;      ///< m/s: speed of what strikes or pulls
+  double rate = 0;      ///< m/s: speed of the striking or pulling body
   double ramp = -1;     ///< s over which that speed is raised; negative: the case's
   double frame = -1;    ///< m: how deep the arms of tension are held; negative: the case's
   double step = 0;      ///< s
@@ -42,8 +42,8 @@ PlateCase branching_plate(const PlateChoice& choice);
 /// edge x = 0, y < 25 mm.
 PlateCase kalthoff_plate(const PlateChoice& choice);
 
-/// A compact tension specimen of concrete whose notch is opened at a constant speed [Ozbolt, Bosnjak
-/// and Sola 2013]; measures from memory.
+/// A compact tension specimen of concrete with a notch that is opened at a constant speed [Ozbolt,
+/// Bosnjak and Sola 2013]; measures from memory.
 PlateCase compact_tension(const PlateChoice& choice);
 
 /// A crack face seen along z.
@@ -70,8 +70,8 @@ struct TipPlace {
   double fork = 0;           ///< m, radius of the smallest circle with two groups or more; 0: none
 };
 
-/// The tip of the main crack now. Two of its faces on a ring two cells wide are of one group when no more than two
-/// and a half cells apart, over others between them.
+/// The tip of the main crack now. Two of its faces on a ring two cells wide are of one group when
+/// no more than two and a half cells apart, over others between them.
 TipPlace tip_of(const std::vector<CrackTrace>& traces, const PlateCase& plate, double time);
 
 /// Speed of the tip about each place, m/s: slope of the line through those within 2.5 us.

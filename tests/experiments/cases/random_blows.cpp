@@ -147,7 +147,7 @@ BlowOutcome run_blow(std::uint64_t number) {
     if (body.velocity.norm() > 0) slowest = std::min(slowest, body.velocity.norm());
   }
   scene.integrator.time_step = step;
-  // Until the slowest has met what it can, and the waves have gone.
+  // Until the slowest body has had its impacts, and the waves have gone.
   const double duration = std::min(0.006 / slowest + 20 * travel, 400 * step);
   const int steps = 1 + static_cast<int>(duration / step);
   const Run always = run(scene, false, steps), by_energy = run(scene, true, steps);

@@ -6,11 +6,11 @@
 
 namespace sunder::accuracy {
 
-/// One blow twice, with windows at every blow and by energy. Small blocks of 1 to 3 cells a side,
+/// One blow twice, with windows at every blow and by energy. Small blocks of 1 to 3 cells per side,
 /// turned at random and spinning: onto the floor, into each other, onto one that lies on the floor,
-/// and several thrown together over a floor. Speeds are such that the energy of the blow is a
-/// thirtieth to a thousand times what the weakest star of a block needs, steps are 0.5 to 50 L/c;
-/// a hundredth of the strength counts as a blow, so that the energy decides.
+/// and several thrown together over a floor. The energy of the blow is a thirtieth to a thousand
+/// times the need of a block's weakest star. Steps are 0.5 to 50 L/c. A hundredth of the strength
+/// counts as a blow, so that the energy decides.
 struct BlowOutcome {
   bool breaks_always = false, breaks_by_energy = false;
   bool opens_always = false, opens_by_energy = false;
@@ -32,11 +32,11 @@ struct BlowCounts {
 /// Blows `first` to `first + count - 1`.
 BlowCounts run_blows(std::uint64_t first, std::uint64_t count);
 
-/// The certificate of the rung `rubble` under blows of the same kinds, whose energies are a
-/// thousandth to a thousand times what the weakest star of a block needs.
+/// The certificate of the rung `rubble` under blows of the same kinds. Their energies are a
+/// thousandth to a thousand times the need of a block's weakest star.
 struct CertificateCounts {
   std::uint64_t blows = 0;
-  std::uint64_t certified = 0;  ///< scenes all of whose blocks were rubble in the first tick
+  std::uint64_t certified = 0;  ///< scenes with all blocks as rubble in the first tick
   std::uint64_t missed = 0;     ///< of those: stepped in full something broke in it; must be 0
   std::uint64_t refused = 0;    ///< scenes in which a certificate was refused
   std::uint64_t needless = 0;   ///< of those: nothing broke in the tick

@@ -24,7 +24,8 @@ struct RingBurst {
   double viscosity = 0.1;  ///< C = this (cell / c) K, without ties
   std::uint32_t seed = 1;
   /// G_c, J/m^2: where given cracks are cohesive, and strengths are a function of place, drawn at
-  /// `places` points and linear between them, the same on all meshes whose cells are a multiple.
+  /// `places` points and linear between them, the same on all meshes with a multiple of these as
+  /// cells.
   std::optional<double> fracture_energy = {};
   int places = 400;
   double after = 5e-4;  ///< s that a ring with ties runs on
@@ -39,26 +40,27 @@ struct RingOutcome {
   double energy_per_area = 0;     ///< kinetic and strain energy lost / area of cracks, J/m^2
 };
 
-/// Of sections that all have the least strength, by `chain::zhou_size` and `chain::glenn_size`. Need
-/// a fracture energy.
+/// Of sections that all have the least strength, by `chain::zhou_size` and `chain::glenn_size`.
+/// Need a fracture energy.
 double zhou_fragments(const RingBurst& burst);
 double glenn_fragments(const RingBurst& burst);
 
 /// Runs until the strongest section would have broken; with ties for `after` more. A fragment is a
-/// component of the map of pieces: what hangs on a tie is one.
+/// component of the map of pieces: bodies held by a tie are one.
 RingOutcome run_ring(const RingBurst& burst);
 
-/// What the one-dimensional program (`chain::Chain`) makes of the same ring.
+/// Results of the one-dimensional program (`chain::Chain`) for the same ring.
 struct ChainRingOutcome {
   std::size_t fragments = 0;  ///< sections that have opened by d_c
   std::size_t live = 0;       ///< others, open by more than a tenth of that
   double taken = 0;           ///< energy that the law says is gone / (G_c, sections apart)
-  double contact = 0;         ///< what impacts of sections took, by the same
+  double contact = 0;         ///< energy taken by impacts of sections, over the same
   double residual = 0;        ///< of the ledger / energy that the law says is gone
 };
 
 /// The same strengths, material, rate and end on `cells` bars, in steps of `step` of a wave's way
-/// through one, with a viscosity that is none of the program's own. Needs a fracture energy; the mesh, step and viscosity of `burst` do not count.
+/// through one. The viscosity is none of the program's own. Needs a fracture energy; the mesh, step
+/// and viscosity of `burst` do not count.
 ChainRingOutcome run_ring_on_chain(const RingBurst& burst, int cells, double step = 0.1,
                                    double viscosity = 0);
 

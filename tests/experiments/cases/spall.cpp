@@ -99,7 +99,7 @@ SpallOutcome run_spall(const Spall& spall) {
   SpallOutcome seen;
   seen.exact_thickness = (spall.length - rise) / (2 * spall.peak);
   seen.exact_layers = static_cast<std::size_t>(spall.peak);
-  // What is reflected is the peak, a ramp behind the front.
+  // The reflection is that of the peak, a ramp behind the front.
   const double reflected = (end - pulse.front + pulse.ramp) / c;
   const double until = duration(spall, c);
   double first = -1;

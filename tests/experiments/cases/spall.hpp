@@ -9,12 +9,12 @@ namespace sunder::accuracy {
 
 /// A bar of Kuhn cells, 1 m long, nu = 0, in which a sawtooth of compression runs towards a free
 /// end: it rises to s0 over r = `front` cells and falls to nothing over the rest of its length l.
-/// Reflected it is tension; less what still comes in, that is 2 s0 delta / (l - r) at the depth
-/// delta, so that the first layer comes off at (l - r) xi / (2 s0), at the speed
-/// (2 s0 - xi) / (rho c). Of a sharp front what is left, s0 - xi, does the same: floor(s0 / xi)
-/// layers of that thickness. Of one that rises over some cells it does not: what of the rise had
-/// passed the crack before it opened goes on ahead of the release, meets less and less that still
-/// comes in, and breaks on behind the first layer, however fine the mesh is.
+/// The reflected pulse is tension. Less the rest that still comes in, it is 2 s0 delta / (l - r) at
+/// the depth delta. So the first layer comes off at (l - r) xi / (2 s0), at the speed (2 s0 - xi) /
+/// (rho c). If the front is sharp, the remaining peak s0 - xi does the same: floor(s0 / xi) layers
+/// of that thickness. If it rises over some cells, it does not. The part of the rise that passed
+/// the crack before it opened runs ahead of the release. It meets less and less incoming
+/// compression, and breaks on behind the first layer, however fine the mesh is.
 struct Spall {
   int cells = 150, across = 1;
   double length = 0.4;     ///< l, m
@@ -38,16 +38,17 @@ struct SpallOutcome {
 /// Runs until the pulse has gone.
 SpallOutcome run_spall(const Spall& spall);
 
-/// What the one-dimensional program (`chain::Chain`) makes of the same pulse.
+/// Results of the one-dimensional program (`chain::Chain`) for the same pulse.
 struct ChainSpallOutcome {
   std::vector<double> thickness;  ///< m, of the layers, the first one first
-  std::size_t live = 0;           ///< nodes open by more than a tenth of what would part them
+  std::size_t live = 0;           ///< nodes open by more than a tenth of their critical opening
   double residual = 0;            ///< of the ledger / energy of the pulse
   double momentum = 0;            ///< at the end / that of the pulse
 };
 
 /// The same pulse, material and end on `cells` bars, in steps of `step` of a wave's way through
-/// one. Needs a fracture energy and a `front_length`; the step and viscosity of `spall` do not count.
+/// one. Needs a fracture energy and a `front_length`; the step and viscosity of `spall` do not
+/// count.
 ChainSpallOutcome run_spall_on_chain(const Spall& spall, int cells, double step = 0.1);
 
 }  // namespace sunder::accuracy

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Steps of a held bar under a sudden load, beside the static solution.
+// Steps of a held bar under a sudden load, next to the static solution.
 #include "tests/experiments/cases/sudden_load.hpp"
 
 #include <algorithm>

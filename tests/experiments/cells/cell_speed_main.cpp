@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // `cell_speed [CELLS [ROUNDS [SEED]]]`: vertices in edges of a box of CELLS^3 cubes (6 tetrahedra
 // each), the same edges by the same middles, by our operations on both kernels and by CGAL's
-// insertions; the bodies have to be equal after. Each round divides random edges whose rings have
-// no tetrahedron in common, as many as there are room for.
+// insertions; the bodies have to be equal after. Each round divides random edges with rings that
+// have no tetrahedron in common, as many as there are room for.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -65,7 +65,7 @@ std::vector<std::array<Point, 4>> places(const VolumeMap& map) {
   return all;
 }
 
-/// Microseconds of all rounds; what is asked of every way to divide.
+/// A way to divide: its name and the microseconds of all rounds.
 struct Way {
   std::string name;
   double us = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Edges divided by CGAL's own insertions, timed: what `divide_edges` is compared with.
+// Edges divided by CGAL's own insertions, timed, as a comparison for `divide_edges`.
 #pragma once
 
 #include <array>
@@ -34,10 +34,10 @@ class CgalBisection {
   CgalBisection(CgalBisection&&) noexcept;
   ~CgalBisection();
 
-  /// Divides edges whose rings have no tetrahedron in common, one after another:
+  /// Divides edges with rings that have no tetrahedron in common, one after another:
   /// `insert_cell_0_in_cell_1` in the edge, `insert_cell_1_in_cell_2` in every face round it,
-  /// `insert_cell_2_in_cell_3` in every tetrahedron. Gives microseconds of this thread; finding the
-  /// edges by their places is not in them.
+  /// `insert_cell_2_in_cell_3` in every tetrahedron. Gives microseconds of this thread, without the
+  /// search of edges by their places.
   double divide(const std::vector<DividedEdge>& edges);
   CgalBody body();
 

@@ -4,16 +4,18 @@
 
     tests/experiments/cells/convergence.py [--levels 3] [--sunder build/release/sunder] [--check]
 
-hanging  a column whose sides roll and whose top is held, under its weight: u = -rho g (L^2 - z^2) / (2 M), M = E (1 - nu) /
-         ((1 + nu) (1 - 2 nu)), stress rho g z along z and nu / (1 - nu) of it across. The mesh is a box with its
-         inner points moved at random.
+hanging  a column with rolling sides and a held top, under its weight:
+         u = -rho g (L^2 - z^2) / (2 M), M = E (1 - nu) / ((1 + nu) (1 - 2 nu)), stress rho g z
+         along z and nu / (1 - nu) of it across. The mesh is a box with its inner points moved at
+         random.
 sphere   an octant of a thick-walled sphere under pressure from within (Lame). It is made of a body between two parallel
          triangles, which is refined; then every point is moved along its ray so that x + y + z becomes its radius.
 
-A line a level: tetrahedra; errors relative to the closed form of the strain energy, of the displacement and of the node
-stress (root of the mean square over all vertices, weighed by volume, over that of the closed form), and the order of each:
-log2 of the error before over this one. --check: exit code 1 unless orders of the last level are what linear
-tetrahedra give: 2, 2, and at least 1. Needs python3-meshio and python3-numpy (Debian)."""
+A line per level: tetrahedra; errors relative to the closed form of the strain energy, of the
+displacement and of the node stress (root of the mean square over all vertices, weighed by volume,
+over that of the closed form), and the order of each: log2 of the error before over this one.
+--check: exit code 1 unless orders of the last level are those of linear tetrahedra: 2, 2, and at
+least 1. Needs python3-meshio and python3-numpy (Debian)."""
 import argparse
 import json
 import pathlib

@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""`sunder cut --exact` on tetrahedra that other programs made, held against VTK's clip and against rationals.
+"""`sunder cut --exact` on tetrahedra of other programs, compared with VTK's clip and with
+rationals.
 
     tests/experiments/cells/foreign_cuts.py [--sunder build/release/sunder] [--mesher build/release/sunder-mesh] [--keep DIR]
 
@@ -8,8 +9,9 @@ Ten bodies by gmsh (Delaunay and HXT, one body of two regions), netgen, TetGen a
 more by CGAL's Mesh_3. Each is cut by seven planes: across each axis through the middle, two at random, one through a vertex
 and one through the three corners of a tetrahedron's face (as far as doubles say so). Of each cut:
   clean    `sunder check` ends with 0 and says no more than it says of the whole body, which came apart. A plane that passes
-           nearer to a point than 1e-6 of an edge is told in a line of its own: an exact cut cannot but make flat tetrahedra there,
-           and is made again with --tolerance 1e-6, which has to be clean; its volumes may then be out by 1e-6 of an edge
+           nearer to a point than 1e-6 of an edge has a line of its own: an exact cut has to make
+           flat tetrahedra there. It is made again with --tolerance 1e-6, which has to be clean; its
+           volumes may then be out by 1e-6 of an edge
   exact    volume of each side, summed over the tetrahedra written, over the volume that rationals give of the same plane and
            the same points: relative difference, the largest over both sides
   VTK      the same against vtkTableBasedClipDataSet

@@ -4,12 +4,14 @@
 
     tests/experiments/cells/overlapping_bodies.py [--sunder build/release/sunder] [--bodies 50] [--seed 1] [--keep DIR]
 
-A body is a random polycube or a box with a cavity, from whose surface tubes run in curves to other places of the surface,
-or to free ends, through whatever lies in between: walls, cavities, other tubes. Its hexahedra become tetrahedra by `sunder
-convert --split`; those with a tube so bent that a tetrahedron is turned inside out are drawn anew. The truth is computed here from (tetrahedron, corner) pairs joined across common faces, by ranks over GF(2) and
-GF(32749), without anything of Sunder's. Told of each body: what check calls it, its Betti numbers and the true ones.
-One whose numbers are not those of its boundary is refined to more than 200 000 tetrahedra: there check has to give none.
-Exit code 1: a wrong Betti number."""
+A body is a random polycube or a box with a cavity. Tubes run in curves from its surface to other
+places of the surface, or to free ends, through walls, cavities and other tubes in between. Its
+hexahedra become tetrahedra by `sunder convert --split`; bodies with a tube so bent that a
+tetrahedron is turned inside out are drawn again. The truth is computed here from (tetrahedron,
+corner) pairs joined across common faces, by ranks over GF(2) and GF(32749), without anything of
+Sunder's. Printed for each body: the verdict of check, its Betti numbers and the true ones. A body
+with other numbers than its boundary's is refined to more than 200 000 tetrahedra: there check has
+to give none. Exit code 1: a wrong Betti number."""
 import argparse
 import collections
 import itertools
@@ -60,7 +62,8 @@ def surface(hexahedra):
 
 def add_tube(points, hexahedra, draw):
     """Hexahedra along a curve from one face of the surface to another that shares no corner with it, or to a free end.
-    Sections are squares that turn as little as they can, and evenly what is left so that they meet the end's corners."""
+    Sections are squares that turn as little as they can; the remaining turn to the end's corners is
+    spread evenly."""
     quads = surface(hexahedra)
     begin, end = draw.sample(quads, 2)
     if set(begin) & set(end):
@@ -180,7 +183,7 @@ def cells_of(tetrahedra):
 
 
 def rank(columns, prime):
-    """Of a matrix by its columns: each is reduced by those whose lowest row is its own lowest row."""
+    """Of a matrix by its columns: each is reduced by those with the same lowest row as its own."""
     by_lowest = {}
     for column in columns:
         column = {row: value % prime for row, value in column.items() if value % prime}
@@ -210,7 +213,7 @@ def betti_numbers(tetrahedra):
     return found.pop() if len(found) == 1 else None
 
 
-# ---- what check says ------------------------------------------------------------------------------------
+# ---- the verdict of check ------------------------------------------------------------------------
 
 def check(sunder, path, *words):
     done = subprocess.run([sunder, "check", path, "--json", *words], capture_output=True, text=True)

@@ -198,7 +198,7 @@ std::size_t Chain::live(double share) const {
       }));
 }
 
-/// What the viscous stress of the last step has taken, the stress now being `now`.
+/// The energy that the viscous stress of the last step has taken, if the stress is now `now`.
 double Chain::damped(std::size_t bar, double now) const {
   if (!(settings_.viscosity > 0)) return 0;
   const double last = viscous_[bar] * settings_.step / settings_.viscosity;

@@ -16,8 +16,8 @@ struct RingStrengths {
   std::uint32_t seed = 1;
 };
 
-/// Pa, at `cells` equal sections of the ring, the first at the first of the places. A mesh whose
-/// cells are a multiple of the places has every weakest point in it. Needs both > 0.
+/// Pa, at `cells` equal sections of the ring, the first at the first of the places. A mesh with a
+/// multiple of the places as cells has every weakest point in it. Needs both > 0.
 std::vector<double> strengths_of(const RingStrengths& strengths, int cells);
 
 /// A sawtooth of compression that runs along x: its front stands at `front`, it rises to `peak`

@@ -126,8 +126,8 @@ struct Bounds {
   }
 };
 
-/// Calls `visit(a, b)` for all pairs of boxes that meet, found by a grid whose cells are as large
-/// as the boxes are on average; each pair once, a < b.
+/// Calls `visit(a, b)` for all pairs of boxes that meet, found by a grid with cells as large as the
+/// boxes are on average; each pair once, a < b.
 template <class Visit>
 void for_each_pair(const std::vector<Bounds>& boxes, Visit visit) {
   if (boxes.empty()) return;

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Outcomes of breaking bodies as distributions: many meshes, both modes of cracks, and beside them runs moved by nothing.
+"""Outcomes of breaking bodies as distributions: many meshes, both crack modes, and noise.
 
     tests/experiments/ensembles/ensembles.py [SCENE ...] [--build build/release] [--out out/ensembles] [--limit 60] [--table]
 
@@ -9,10 +9,11 @@ Each scene runs in modes `paper` and `object` on
   2x        five more with about twice the tetrahedra
   starts    the first of the ten, ten times, with place and velocity moved by up to 1e-12 (m, m/s)
   strengths the same, five times, with the strength times 1 + u, |u| <= 1e-6
-`starts` and `strengths` are the null band: what differs among them differs for no reason that anybody could give.
-A run that is there already in OUT is kept; one over the limit (s of the processor) or failed is told in the table and in the CSV,
-and is part of no figure. Written: runs.csv (a row a run), groups.json, sizes.png (gnuplot), and the tables to stdout.
---table runs nothing and makes them of what is there."""
+`starts` and `strengths` are the numerical-noise band: their differences have no physical cause.
+A run that is there already in OUT is kept. A run over the limit (s of the processor), or one that
+failed, is named in the table and in the CSV and is part of no figure. Written: runs.csv (a row per
+run), groups.json, sizes.png (gnuplot), and the tables to stdout.
+--table runs nothing and makes them of the runs that are there."""
 import argparse
 import csv
 import hashlib
@@ -43,7 +44,8 @@ def bunny_surface(sunder):
         return members.read_off(path.read_text())
 
 
-# What is run: its scene, how long (s), its surface, whether that has edges, and sizes of tetrahedra (m) at 1x and 2x.
+# The bodies: scene, duration (s), surface, whether that has edges, sizes of tetrahedra (m) at 1x,
+# 2x.
 BODIES = {
     "monolith": dict(scene=SCENES / "charts/monolith.json", duration=0.16, sharp=True, size={"1x": 0.2, "2x": 0.131},
                      surface=lambda sunder: members.box((-0.5, -0.15, 0), (0.5, 0.15, 2))),
@@ -87,8 +89,8 @@ def pieces_of(folder):
 
 
 def run(said, name, mode, group, member, more=(), called=""):
-    """One run as a record; from its file where that was made by the same words. `more`: further changes of the scene, and what
-    they are `called` in the file's name."""
+    """One run as a record; from its file where that was made by the same words. `more`: further
+    changes of the scene; `called`: their name in the file's name."""
     body, mesh = BODIES[name], mesh_of(said, name, group, member)
     changes = [f"bodies.0.mesh={mesh}", f"duration={body['duration']!r}", f"fracture.crack={mode}",
                *nudged(body["scene"], group, member), *more]
@@ -136,7 +138,7 @@ def main():
     said = words.parse_args()
     os.nice(10)
     records = []
-    # All kinds of members in turn, so that what is there after any time is even.
+    # All kinds of members in turn, so that the finished runs are even at any time.
     order = sorted((m / n, group, m) for group, n in GROUPS.items() for m in range(n))
     for name in said.scenes or BODIES:
         for _, group, member in order:

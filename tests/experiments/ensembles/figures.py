@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What a group of runs comes to: mean and band of its outcomes, distances between its distributions of sizes.
+"""Figures of a group of runs: mean and band of outcomes, distances between distributions of sizes.
 
 A run is the list of its pieces' volumes, m^3. Its distribution of sizes is weighted by mass: F(s) is the share of
 the body's volume in pieces of size (cube root of volume) s and below. A group's is the mean of its runs'."""

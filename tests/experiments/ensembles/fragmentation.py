@@ -6,10 +6,11 @@
 
 The ball of ensembles.py (falls at 10 m/s; 2.9, 5.8 and 11.6 thousand tetrahedra: ten, ten and five seeded meshes) in modes
 `paper`, `object` and `cohesive` (G_c 40 J/m^2, so that cracks soften over 40 mm), to 3 ms: 14 times the way of a wave through
-the ball after it touched the floor. Beside it ten runs of one mesh moved by nothing (the null band), and five meshes of 2x with
-sub-steps of a wave's way through a cell and a quarter of it. Distances are Kolmogorov's, of mass-weighted distributions of the pieces'
-sizes, each the mean of its group. A run that is there already in OUT is kept; --table runs nothing. Written: the tables to
-stdout, and fragmentation.csv (a row per run). mode_chart.py draws the table."""
+the ball after it touched the floor. For comparison: ten runs of one mesh moved by nothing (the
+numerical-noise band), and five meshes of 2x with sub-steps of a wave's way through a cell and a
+quarter of it. Distances are Kolmogorov's, of mass-weighted distributions of the pieces' sizes, each
+the mean of its group. A run that is there already in OUT is kept; --table runs nothing. Written:
+the tables to stdout, and fragmentation.csv (a row per run). mode_chart.py draws the table."""
 import csv
 import os
 import statistics
@@ -26,8 +27,8 @@ FRACTURE_ENERGY = 40  # J/m^2
 
 
 def plan():
-    """What is run: (level, member, changes, what they are called). All kinds of members in turn, so that what is there after any
-    time is even."""
+    """The runs: (level, member, changes, their name). All kinds of members in turn, so that the
+    finished runs are even at any time."""
     kinds = [(level, count, [], "") for level, count in {**LEVELS, "starts": 10}.items()]
     kinds += [("2x", 5, changes, called) for called, changes in STEPS.items()]
     order = sorted((m / count, k) for k, (_, count, _, _) in enumerate(kinds) for m in range(count))

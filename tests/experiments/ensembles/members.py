@@ -70,7 +70,8 @@ def turned(rows, points):
 
 
 def read_msh(text):
-    """Points and tetrahedra of what `sunder-mesh` writes: one block of nodes numbered from 1, MSH 4.1."""
+    """Points and tetrahedra of `sunder-mesh`'s output: one block of nodes numbered from 1, MSH
+    4.1."""
     part = lambda name: text.split(f"${name}\n")[1].split(f"\n$End{name}")[0].split("\n")
     nodes, elements = part("Nodes"), part("Elements")
     count = int(nodes[0].split()[1])
@@ -94,8 +95,9 @@ def filled(program, surface, size, sharp, rows):
 
 
 def make_mesh(build, surface, size, sharp, seed, path):
-    """Writes a mesh of the surface, turned as the seed says. One that `sunder check` refuses (the mesher leaves a tetrahedron
-    without volume now and then in thin bodies) is told and made anew from another turn."""
+    """Writes a mesh of the surface, turned by the seed. A mesh that `sunder check` refuses (the
+    mesher leaves a tetrahedron without volume now and then in thin bodies) is named and made again
+    from another turn."""
     path.parent.mkdir(parents=True, exist_ok=True)
     for attempt in itertools.count():
         rows = rotation(random.Random(f"turn {seed}" + (f" again {attempt}" if attempt else "")))

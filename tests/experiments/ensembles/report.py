@@ -56,7 +56,7 @@ def null_band(groups, modes):
 
 
 def comparisons(records, groups, debris):
-    """Pairs of groups that are held against each other, each beside the null band of their modes."""
+    """Pairs of groups to compare, each next to the numerical-noise band of their modes."""
     pairs = [("paper -> object, 1x", MODES, ("paper", ["1x"]), ("object", ["1x"])),
              ("paper -> object, 2x", MODES, ("paper", ["2x"]), ("object", ["2x"]))]
     for mode in MODES:

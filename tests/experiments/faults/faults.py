@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Makes each call of the system that a command makes fail once, and each allocation by its call stack
-once, and judges what is left.
+once, and judges the remains.
 
     tests/experiments/faults/faults.py build/release/sunder [--quick] [--only WORD] [--without NAME ...]
                                        [--kind KIND] [--most N] [--once] [--seed 1]
@@ -11,15 +11,15 @@ each further run. Kinds: malloc (operator new with it; once a distinct call stac
 fsync, rename, open, mkdir, ftruncate, close, unlink, popen, memfd, thread, getrandom. `view` is asked for its page, a
 scene and some steps, then ended as by Ctrl-C. Pictures by gnuplot need it installed. For every run:
 
-- no signal, no run of more than a minute, an exit code that --help tells;
-- with 0 everything is as without the fault, what was printed too; else standard error says something;
-- every file that was to be replaced is the old one or the new one, whole; nothing lies beside it;
+- no signal, no run of more than a minute, an exit code of --help;
+- with 0 everything is as without the fault, the output too; else standard error says something;
+- every file that was to be replaced is the old one or the new one, whole; nothing lies next to it;
 - of a run's folder every file is whole, and the log ends with a line.
 
-A row a command and kind: calls or stacks, runs, how they ended, what was wrong. Exit code 1 where
-anything was. --most N: at most N runs of each, drawn at random; --once: a call stack that failed in one command is
-not failed in those after it (most are common to all); --quick: few, for the tests. `demo` takes half a
-minute a run."""
+A row per command and kind: calls or stacks, runs, how they ended, the faults. Exit code 1 where
+there was a fault. --most N: at most N runs of each, drawn at random; --once: a call stack that
+failed in one command is not failed in those after it (most are common to all); --quick: few, for
+the tests. `demo` takes half a minute per run."""
 import argparse
 import collections
 import http.client
@@ -55,7 +55,7 @@ SCENE = {
 HELD = SCENE | {"bodies": [{"mesh": "box.msh", "held": [{"minimum": [-1, -1, -1], "maximum": [2, 2, 1e-6]}]}],
                 "obstacles": []}
 
-# Words of each command; `out`: what it writes, one file, several or a folder.
+# Words of each command; `out`: its output, one file, several or a folder.
 COMMANDS = {
     "check": ["check", "box.msh", "--json"],
     "convert msh": ["convert", "box.vtu", "out.msh"],
@@ -93,9 +93,10 @@ COMMANDS = {
     "demo": ["demo", "-o", "out", "--quiet"],
 }
 FOLDERS = {"run": "out", "resume": "done", "branch": "out", "replay": "out", "demo": "out"}
-# What a driver of OpenGL does without memory, or without a thread (Mesa's waits for ever), is its own.
+# The end of an OpenGL driver without memory, or without a thread (Mesa's waits for ever), is its
+# own.
 NOT_OURS = {(name, kind) for name in ("render", "demo") for kind in ("malloc", "thread")}
-# They write and print how long things took: what they write is held to be whole, not to be the same.
+# They write and print times: their output has to be whole, not to be the same.
 TIMED = {"chart", "bench formats", "bench kernel"}
 QUICK = ["convert vtu", "split", "run", "resume"]
 
@@ -130,8 +131,8 @@ class Bench:
         return folder
 
     def run(self, words, folder, kind, at=0, stack=None):
-        """Runs a command with a fault; its exit code (negative: a signal; None: too long), what it
-        printed and said, and the log."""
+        """Runs a command with a fault; its exit code (negative: a signal; None: too long), its
+        standard output and error, and the log."""
         log = self.place / "log"
         log.unlink(missing_ok=True)
         environment = dict(os.environ) | {"LD_PRELOAD": str(self.shim), "FAULT_KIND": kind, "FAULT_AT": str(at),
@@ -152,7 +153,7 @@ class Bench:
 
 
 def look_at(server):
-    """What a page does, whatever comes back; then Ctrl-C."""
+    """The requests of a page, whatever comes back; then Ctrl-C."""
     told = re.match(rb"(http://[\d.:]+/)#token=(\w+)", server.stdout.readline())
     if not told:
         return  # it ended, or does so now
@@ -174,7 +175,7 @@ def files_of(folder):
 
 
 def is_whole(name, text):
-    """Whether a file of a run can be told to be whole."""
+    """Whether a file of a run can be seen to be whole."""
     if name.endswith(".json"):
         try:
             json.loads(text)
@@ -202,7 +203,7 @@ class Judge:
 
     def run(self, kind, at=0, stack=None):
         folder = self.bench.fresh()
-        # What is to be written is there already, but for folders of runs, which nobody replaces.
+        # The files to be written are there already, except folders of runs, which nobody replaces.
         if kind != "none" and not self.is_folder:
             for name in self.written:
                 (folder / name).parent.mkdir(parents=True, exist_ok=True)
@@ -216,7 +217,7 @@ class Judge:
             return f"signal {-code}"
         if code not in DOCUMENTED:
             return f"exit code {code}"
-        if code != 0 and not (err.strip() or out.strip()):  # check --json tells in its object
+        if code != 0 and not (err.strip() or out.strip()):  # check --json reports in its object
             return f"exit code {code}, and nothing said"
         now = files_of(self.bench.place / "work")
         if self.is_folder:
@@ -263,7 +264,7 @@ def faults_of(kind, log):
 
 
 def sweep(judge, kind, most, chance, known):
-    """All faults of a kind in a command but `known` stacks; the row's numbers and what was wrong."""
+    """All faults of a kind in a command but `known` stacks; the row's numbers and the errors."""
     faults = faults_of(kind, judge.run(kind)[3])
     all_of_them = len(faults)
     faults = [f for f in faults if "stack" not in f or f["stack"] not in known]

@@ -78,7 +78,7 @@ def times(theirs, ours):
 
 
 def read_and_write(rows, folder, runs):
-    """A Markdown table of what single reads and writes take."""
+    """A Markdown table of the times of single reads and writes."""
     lines = ["| file | MB | sunder reads, ms | meshio | times | sunder writes, ms | meshio | times |",
              "|---|---|---|---|---|---|---|---|"]
     for row in rows:
@@ -91,7 +91,7 @@ def read_and_write(rows, folder, runs):
 
 
 def whole_commands(sunder, folder, runs):
-    """A Markdown table of what whole commands take."""
+    """A Markdown table of the times of whole commands."""
     lines = ["| command on text2.2.msh | sunder, ms | meshio | times | gmsh | times |",
              "|---|---|---|---|---|---|"]
     source = folder / "text2.2.msh"

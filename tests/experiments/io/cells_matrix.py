@@ -85,7 +85,7 @@ def contents(sunder, path, folder):
 
 
 def by_sunder(sunder, source, out, target):
-    """Whether it is written, or told to hold nothing; and whether a loss is told."""
+    """Whether it is written, or reported to hold nothing; and whether a loss is reported."""
     run = subprocess.run([sunder, "convert", source, out, *target[2]], capture_output=True, text=True)
     told = "nothing is lost" not in run.stdout
     return (run.returncode == 0 or "nothing_left" in run.stderr), told

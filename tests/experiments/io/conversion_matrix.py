@@ -6,11 +6,12 @@ Usage: conversion_matrix.py SUNDER [--plain | --carry] [--page PAGE.md [--check]
 
 The box has two named volumes, two named surfaces, numbers that do not count on, a field on its points
 and one on its cells; --plain leaves out numbers and fields. For each pair A, B every program gets the
-same file in A (written by sunder) and writes B. What of A's file survived is read from B's file by
+same file in A (written by sunder) and writes B. The surviving contents are read from B's file by
 sunder, and, where sunder cannot read it, the pair has failed. Prints Markdown: a summary by target and
-one matrix a program; with --carry instead which program brings what into which format, from four
-sources. --page puts it into a page, between the lines that name it; with --check the page must say so
-already. Exit code 1: sunder failed somewhere, or lost what another program kept, or the page differs;
+one matrix per program; with --carry instead the contents that each program brings into each format,
+from four sources. --page puts it into a page, between the lines that name it; with --check the page
+must be so already. Exit code 1: sunder failed somewhere, or lost contents that another program
+kept, or the page differs;
 77: meshio or gmsh is not installed, or (with --check) of another version than the page's.
 """
 import argparse
@@ -58,11 +59,11 @@ FORMATS = [
     ("VTP", "vtp", [], None, None),
     ("VTP text", "vtp", ["--text"], None, None),
 ]
-# What another program keeps and sunder does not, and says so: gmsh's sets Volume1, Surface1, ..., and
-# its tables of properties, for which sunder writes the regions.
+# Contents that another program keeps and sunder reports as lost: gmsh's sets Volume1, Surface1,
+# ..., and its tables of properties, for which sunder writes the regions.
 TOLD = {("Abaqus", "e"), ("UNV", "e")}
 CARRY_SOURCES = ["MSH 4.1", "MEDIT", "VTU text", "VTK 4.2 text"]
-# What may survive, and the letter that tells that it did not.
+# Contents that may survive, and the letter for their loss.
 ITEMS = {"coordinates": "x", "tetrahedra": "T", "triangles": "F", "order": "o", "volumes": "v",
          "surfaces": "s", "names": "n", "entities": "e", "numbers": "i", "point data": "p",
          "cell data": "c"}
@@ -131,7 +132,7 @@ def nearest(point):
 
 
 def contents(sunder, path, folder):
-    """What sunder reads from a file, item by item; None where it cannot be read."""
+    """The contents that sunder reads from a file, item by item; None where it cannot be read."""
     again = folder / "judged.msh"
     for stale in (again, pathlib.Path(f"{again}.regions")):
         stale.unlink(missing_ok=True)
@@ -217,7 +218,7 @@ def by_gmsh(_, source, out, target):
 
 
 def convert_all(sunder, sources, targets, folder, programs):
-    """For each program and pair what survived: a set of items, or None where it failed."""
+    """For each program and pair the survivors: a set of items, or None where it failed."""
     results = {name: {} for name in programs}
     for source in sources:
         before = contents(sunder, sources[source], folder)
@@ -238,7 +239,7 @@ def convert_all(sunder, sources, targets, folder, programs):
 
 
 def judged(results, pair, program):
-    """`=`, the letters of what was lost though some program keeps it, `X`, or a blank."""
+    """`=`, the letters of items lost though some program keeps them, `X`, or a blank."""
     if pair not in results[program]:
         return ""
     kept = results[program][pair]

@@ -33,7 +33,8 @@ TRIANGLES = [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)]
 
 
 class Variant:
-    """A file, the mesh that is meant (cells by the coordinates of their corners), and what has to be reported."""
+    """A file, its intended mesh (cells by the coordinates of their corners), and the expected
+    report."""
 
     def __init__(self, name, content, cells, reports=False, line=None, arrays=None, regions=None, parts=0):
         self.name, self.cells, self.reports, self.line, self.arrays = name, cells, reports, line, arrays or {}

@@ -4,15 +4,16 @@
 
 Usage: made_by_others.py SUNDER [--keep FOLDER] [--only PROGRAM ...] [--page PAGE.md]
 
-Makes more than 300 mesh files with what Debian has of gmsh, meshio, VTK, CalculiX' cgx, netgen, Blender,
+Makes more than 300 mesh files with Debian's gmsh, meshio, VTK, CalculiX' cgx, netgen, Blender,
 OpenSCAD and assimp: bodies and surfaces, linear and of second order, every format, version and encoding that
-they write and sunder reads. Each is read; then it goes through several formats and back, and both, the file and
-what came back, are written as VTK's text: the same bytes (and names of regions) are `exact`, and so is one label a
-cell where the format has one (entities stand for regions that are not there); else it is
-`told` where sunder said at one of the steps that something is lost or left out, and `untold` where it did not.
-Prints Markdown: a row a program and format; --page puts it between its marks. Exit code 1: a file was not read, a
-round trip failed or lost something untold; 77: gmsh or meshio is not installed. Programs that are not installed
-are left out, and said to be."""
+they write and sunder reads. Each is read; then it goes through several formats and back. Both the
+file and the returned mesh are written as VTK's text: the same bytes (and names of regions) are
+`exact`, and so is one label per cell where the format has one (entities stand for regions that are
+not there). Else it is `told` where sunder reported at one of the steps that something is lost or
+left out, and `untold` where it did not.
+Prints Markdown: a row per program and format; --page puts it between its marks. Exit code 1: a file
+was not read, a round trip failed or lost something untold; 77: gmsh or meshio is not installed.
+Programs that are not installed are left out, and said to be."""
 import argparse
 import importlib.util
 import json
@@ -255,7 +256,7 @@ def by_assimp(folder):
                 yield "assimp", way, out
 
 
-# What makes files, and what it needs: a command, or a module of Python.
+# The makers of files, and their needs: a command, or a module of Python.
 MAKERS = [(by_gmsh, "gmsh"), (by_meshio, "python3-meshio"), (by_vtk, "python3-vtk9"), (by_cgx, "cgx"), (by_netgen, "python3-netgen"),
           (by_blender, "blender"), (by_openscad, "openscad"), (by_assimp, "assimp")]
 MODULES = {"python3-meshio": "meshio", "python3-vtk9": "vtk", "python3-netgen": "netgen"}
@@ -300,7 +301,7 @@ def labelled(text):
 
 
 def judge(sunder, file, folder):
-    """(whether it is read, what each way through a format gives, words of what went wrong)"""
+    """(whether it is read, the result of each way through a format, words about faults)"""
     plain = folder / "plain.vtk"
     for old in folder.glob("*"):
         old.unlink()

@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Kills runs at random moments and holds what `sunder run --resume` makes of them against runs that
+"""Kills runs at random moments and compares the results of `sunder run --resume` with runs that
 never stopped, byte by byte.
 
     tests/experiments/kills/kills.py build/release/sunder [--kills 200] [--seed 1] [--scene NAME] [--long [--duration S]] [--cost]
 
-A kill is SIGKILL, SIGTERM, SIGHUP, or a power cut: SIGKILL, after which the folder holds what fsync
-was asked for and, by chance, some of the rest: names without contents, files half written, renames
-that did not happen (sync_shim.c, compiled here, tells what was synced). A third of the runs are
-killed again as they go on. Where no checkpoint stands yet the run begins anew, which is counted.
+A kill is SIGKILL, SIGTERM, SIGHUP, or a power cut: SIGKILL, after which the folder holds the synced
+data and, by chance, some of the rest: names without contents, files half written, renames that
+did not happen (sync_shim.c, compiled here, records the calls of fsync). A third of the runs are
+killed again as they go on. Where there is no checkpoint yet the run begins again, which is counted.
 Compared is every file but checkpoints; of report.json all but wall times.
 Scenes: bar, block, monolith, bunny, cut to some seconds. --long: five kills of one run of about ten
 minutes on an idle machine (the bunny to --duration, s; of a slower one a shorter time will do). --cost: processor and wall time with a checkpoint every second, and without.
@@ -33,7 +33,7 @@ LONG = ["--set", "output.checkpoint.minutes=0.5"]
 
 
 class Disk:
-    """What a power cut leaves: the contents and names that were synced."""
+    """The disk after a power cut: the contents and names that were synced."""
 
     def __init__(self):
         self.contents, self.names, self.open = {}, {}, []
@@ -55,7 +55,7 @@ class Disk:
             os.close(file)
 
     def cut_power(self, folder, chance):
-        """Makes of the folder what could stand there after a power cut."""
+        """Brings the folder into a possible state after a power cut."""
         now = {e.name: e for e in os.scandir(folder)}
         synced = self.names.get(str(folder), {})
         keeps_names = chance.random() < 0.5  # later names may have reached the disk, or not
@@ -99,7 +99,7 @@ def listen(ear, disk):
 
 
 def processor_seconds(pid):
-    """What a process has had of the processor; none once it has ended."""
+    """Processor time of a process; none once it has ended."""
     try:
         stat = pathlib.Path(f"/proc/{pid}/stat").read_text().rsplit(")", 1)[1].split()
         return (int(stat[11]) + int(stat[12])) / os.sysconf("SC_CLK_TCK")
@@ -153,7 +153,7 @@ def differing(a, b):
 
 
 def one_kill(sunder, shim, words, reference, took, out, chance):
-    """Kills a run once or twice, lets it go on; what was done, and the files that differ."""
+    """Kills a run once or twice, lets it go on; the kills, and the files that differ."""
     shutil.rmtree(out, ignore_errors=True)
     done = []
     command = [sunder, "run", *words, "-o", out]

@@ -61,7 +61,7 @@ void add_motion(Verdict& v, const JudgedFrame& frame) {
   }
 }
 
-/// A column of so many numbers a row, as doubles; empty where there is none of that name.
+/// A column of so many numbers per row, as doubles; empty where there is none of that name.
 std::vector<double> numbers(const std::vector<DataColumn>& columns, const std::string& name) {
   for (const DataColumn& column : columns) {
     if (column.name != name) continue;

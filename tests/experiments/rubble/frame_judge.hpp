@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Judges frames of finished runs: knows corners of tetrahedra and whose piece they are, nothing else.
+// Judges frames of finished runs: knows corners of tetrahedra and their pieces, nothing else.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 
 namespace sunder::test {
 
-/// One frame: what viewers see.
+/// One frame: the part that viewers see.
 struct JudgedFrame {
   std::vector<Vec3> points;                             ///< m
   std::vector<Vec3> velocity;                           ///< m/s, row = point; may be empty
@@ -22,13 +22,13 @@ struct JudgedFrame {
   std::vector<std::uint32_t> piece;                     ///< row = tetrahedron
 };
 
-/// What the judge found.
+/// The judge's findings.
 struct Verdict {
   SeenOverlaps overlaps;    ///< parts are tetrahedra
   std::size_t pieces = 0;
   std::size_t below = 0;    ///< vertices below the floor by more than a thousandth of the mean edge
   double lowest = 0;        ///< m, of the vertices below the floor, >= 0
-  std::size_t through = 0;  ///< pieces whose middle is below the floor
+  std::size_t through = 0;  ///< pieces with their middle below the floor
   /// By lumped corners of unit density: m^3 m/s, m^4 m/s about the origin, m^5/s^2.
   Vec3 momentum = Vec3::Zero(), angular = Vec3::Zero();
   double kinetic = 0, fastest = 0;  ///< the latter in m/s

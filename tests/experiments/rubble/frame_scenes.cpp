@@ -25,7 +25,7 @@ BodySettings box_body(const Vec3& sides) {
   return body;
 }
 
-/// What the scenes share: a floor, rubble on, steps of 1/240 s.
+/// Shared by the scenes: a floor, rubble on, steps of 1/240 s.
 Scene rubble_on_floor() {
   Scene scene;
   scene.fracture.crack = CrackMode::paper;
@@ -41,7 +41,7 @@ Scene rubble_on_floor() {
 Scene boxes_scene(unsigned seed, double scale) {
   Scene scene = rubble_on_floor();
   scene.name = "boxes";
-  // What accuracy chooses for cells of that size.
+  // As `accuracy` chooses it for cells of that size.
   scene.contact.allowed_penetration *= std::clamp(scale, 0.1, 10.0);
   std::mt19937_64 random(seed);
   const auto any = [&] { return suite::unit(random); };

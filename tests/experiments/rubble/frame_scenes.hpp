@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Scenes of rigid pieces for measurements through the library, and what is read of their frames.
+// Scenes of rigid pieces for measurements through the library, and the figures of their frames.
 #pragma once
 
 #include <vector>
@@ -13,8 +13,8 @@ namespace sunder::test {
 /// falling in a loose column on a floor; lengths times `scale`, speeds times its root.
 Scene boxes_scene(unsigned seed, double scale);
 
-/// A wall in running bond, 40 bricks by 25 courses, each of six tetrahedra that cannot break, struck
-/// by a free ball of 2 kg at 6 m/s.
+/// A wall in running bond, 40 bricks by 25 courses, each of six tetrahedra that cannot break,
+/// struck by a free ball of 2 kg at 6 m/s.
 Scene wall_scene();
 
 /// All tetrahedra of all pieces where they are now.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What somebody sees of a frame who knows places alone: overlaps of pieces, the shape of a heap.
+// A frame judged from places alone: overlaps of pieces, the shape of a heap.
 #pragma once
 
 #include <array>
@@ -26,9 +26,9 @@ struct SeenOverlaps {
 };
 
 /// Overlap of two parts is the least way that parts them, by all axes of faces and pairs of edges
-/// (`separation_by_all_axes`); below a millionth of the mean edge it is none, as faces that were one
-/// meet to rounding. Parts sorted along x and swept, which shares nothing with the search of the
-/// solver. O(parts^(5/3)) for heaps.
+/// (`separation_by_all_axes`); below a millionth of the mean edge it is none, as faces that were
+/// one meet to rounding. Parts sorted along x and swept, which shares nothing with the search of
+/// the solver. O(parts^(5/3)) for heaps.
 SeenOverlaps see_overlaps(std::span<const SeenPart> parts);
 
 /// The same by comparing each part with each: the slow twin for tests.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // `rubble_frames SCENE.json|boxes|wall [KEY=VALUE...] [--threads N] [--seconds S] [--seed K]
-// [--scale X] [--trace T]`: what frames of 1/60 s cost from the first touch until all sleeps, or S s,
-// and what an outside judge sees of the last one, and every T s.
+// [--scale X] [--trace T]`: the cost of frames of 1/60 s from the first touch until all sleeps, or
+// S s, and an outside judge's findings for the last one, and every T s.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -54,7 +54,7 @@ struct Frames {
   double start = 0;  ///< s, of the first touch; below 0: none yet
 
   void add(double time, double thread_ms, double process_ms) {
-    // What ends with a frame belongs to it, to rounding.
+    // A step that ends with a frame belongs to it, to rounding.
     const auto k = static_cast<std::size_t>(std::max(0.0, (time - start) * 60 - 1e-6));
     thread.resize(std::max(thread.size(), k + 1));
     process.resize(thread.size());
@@ -106,7 +106,7 @@ void print_judgement(const Simulation& sim) {
               percent * std::max(0.0, below.depth), 1e3 * below.depth, below.piece, below.pieces);
 }
 
-/// Tells when a piece is first seen through the floor, a tenth of a millimetre or more.
+/// Prints when a piece is first seen through the floor, a tenth of a millimetre or more.
 void watch_floor(const Simulation& sim, double time, bool& told) {
   if (told) return;
   const BelowPlanes below = below_planes(sim, 1e-4);
@@ -121,7 +121,7 @@ void watch_floor(const Simulation& sim, double time, bool& told) {
               c.momentum.norm() / c.mass);
 }
 
-/// One line of what the judge sees.
+/// One line of the judge's findings.
 void print_trace(const Simulation& sim, double time) {
   const std::vector<SeenPart> parts = seen_parts(sim);
   const SeenOverlaps seen = see_overlaps(parts);
@@ -140,7 +140,7 @@ void print_trace(const Simulation& sim, double time) {
   std::fflush(stdout);
 }
 
-/// Who is awake at the end: a line for each of the largest.
+/// The components awake at the end: a line for each of the largest.
 void print_awake(const Simulation& sim) {
   std::vector<const Component*> awake;
   for (const Component& c : sim.state->mechanics.components) {

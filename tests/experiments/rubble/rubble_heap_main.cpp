@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a heap of chips costs by the rubble solver, and what an outside judge sees of it.
+// The cost of a heap of chips by the rubble solver, and an outside judge's findings about it.
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `rubble_judge [--floor Z] FRAME.vtu...`: what an outside judge sees in frames of `sunder run`.
+// `rubble_judge [--floor Z] FRAME.vtu...`: an outside judge's findings for frames of `sunder run`.
 #include <cstdio>
 #include <cstdlib>
 #include <string_view>

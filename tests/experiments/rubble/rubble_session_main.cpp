@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// `rubble_session SCENE.json SECONDS ACTIONS SEED [key=value...]`: somebody plays with a scene through
-// the C functions: balls shot, vertices pulled for half a second, plane cuts, all at random. Prints
-// what frames of 1/60 s cost, and whether all numbers are numbers, no mass is lost, memory is flat.
+// `rubble_session SCENE.json SECONDS ACTIONS SEED [key=value...]`: somebody plays with a scene
+// through the C functions: balls shot, vertices pulled for half a second, plane cuts, all at
+// random. Prints the cost of frames of 1/60 s, and whether all numbers are numbers, no mass is
+// lost, memory is flat.
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// `rubble_spread [SEEDS] [SECONDS] [FASTER] [SUB_STEPS]`: height and radius of heaps of 1 200 chips by
-// ticks of 1/240 s, of so many sub-steps at least (4), and by ticks so many times shorter (4), a row a seed, means and their differences last.
+// `rubble_spread [SEEDS] [SECONDS] [FASTER] [SUB_STEPS]`: height and radius of heaps of 1 200 chips
+// by ticks of 1/240 s, of so many sub-steps at least (4), and by ticks so many times shorter (4), a
+// row a seed, means and their differences last.
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -15,7 +16,7 @@ using namespace sunder::test;
 
 namespace {
 
-/// What is measured of one heap.
+/// The measurements of one heap.
 struct Outcome {
   HeapShape shape;
   double ms = 0;  ///< of the processor for each simulated second

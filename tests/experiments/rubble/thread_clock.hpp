@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Processor time, which does not count what others do on the machine.
+// Processor time, which does not count the work of others on the machine.
 #pragma once
 
 #include <ctime>

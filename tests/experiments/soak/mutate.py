@@ -2,10 +2,11 @@
 # SPDX-License-Identifier: MIT
 """Runs shipped scenes with some of their numbers changed: tests/experiments/soak/mutate.py SUNDER
 
-Each run takes a few steps. It must end with a documented exit code and say what is wrong where that
+Each run takes a few steps. It must end with a documented exit code and name the fault where that
 is not 0; with exit code 0 its report has neither null nor NaN. A run that takes
 longer than a minute (by a changed duration, or sub-steps of a stiff body) is interrupted, and must end with 130.
-Prints the counts, and ends with 1 where something is wrong. What is wrong is kept in found-mutated/.
+Prints the counts, and ends with 1 where something is wrong. Faulty scenes are kept in
+found-mutated/.
   --seconds S   how long (300); --seed N; --scenes N: so many and no more"""
 import argparse
 import collections

@@ -102,7 +102,7 @@ def scene(chance):
     isolated = chance.choice(["rigid", "projection", "qr"])
     window = chance.random() < 0.7
     rubble = chance.choice(["off", "certified"])
-    # One scene in twenty may ask for what is refused; of the others most run.
+    # One scene in twenty may have settings that are refused; of the others most run.
     if chance.random() < 0.95:
         if any("order" in b for b in bodies):
             contact, isolated = "impulses", "rigid"
@@ -204,7 +204,7 @@ def run_heap(said):
         while process.poll() is None:
             time.sleep(1)
             if said.minutes and not told and time.monotonic() - start > 60 * said.minutes:
-                process.send_signal(signal.SIGTERM)  # SIGINT is ignored by what a shell starts behind itself
+                process.send_signal(signal.SIGTERM)  # background jobs ignore SIGINT
                 told = True
             if process.poll() is None and (mb := memory_of(process)):
                 seen.append(mb)

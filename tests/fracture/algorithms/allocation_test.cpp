@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Steps without contact and cracks ask for no memory once they have what they need.
+// Steps without contact and cracks allocate no memory once their buffers are large enough.
 #include <catch2/catch.hpp>
 
 #include <cstdlib>

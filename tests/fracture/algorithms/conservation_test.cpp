@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What no split changes: mass, volume, momentum, moments of inertia, kinetic energy; on random
-// bodies torn by random fans, and in runs that break by themselves.
+// Quantities that no split changes: mass, volume, momentum, moments of inertia, kinetic energy; on
+// random bodies torn by random fans, and in runs that break by themselves.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <random>
@@ -26,7 +26,7 @@ Vec3 random_vector(std::mt19937_64& random) {
   return {signed_unit(random), signed_unit(random), signed_unit(random)};
 }
 
-/// What is to be kept, and the sizes of its terms, which rounding is held against.
+/// The conserved quantities, and the sizes of their terms as scales for rounding.
 struct Kept {
   double mass = 0, volume = 0, kinetic = 0;
   Vec3 momentum = Vec3::Zero(), angular = Vec3::Zero();
@@ -51,7 +51,7 @@ Kept of_rows(const MechanicsState& state) {
   return k;
 }
 
-/// From the pieces, each by its mass, its centre, and what its members have about that.
+/// From the pieces, each by its mass, its centre, and the sums of its members about the centre.
 Kept of_pieces(const MechanicsState& state) {
   Kept k;
   for (const Component& c : state.components) {
@@ -118,7 +118,7 @@ TornBody moving_body(const TetMesh& mesh, std::mt19937_64& random) {
   return {std::move(cells), std::move(state)};
 }
 
-/// Splits up to `fans` fans at random and rebuilds every piece. Gives what that released.
+/// Splits up to `fans` fans at random and rebuilds every piece. Gives the report of the rebuild.
 RebuildReport tear(TornBody& body, std::size_t fans, std::mt19937_64& random, std::size_t& made) {
   ComponentScratch scratch;
   for (std::size_t k = 0; k < fans; ++k) {
@@ -190,7 +190,7 @@ TEST_CASE("random fans of random bodies keep mass, momentum and what pieces do n
         CHECK(std::abs(before.kinetic - rows.kinetic - given_up) <= 1e-12 * before.kinetic);
         const std::size_t now_rigid = static_cast<std::size_t>(
             std::ranges::count(body.state.components, true, &Component::rigid));
-        // Nothing is given up but by what became rigid.
+        // Only newly rigid pieces give up energy.
         if (now_rigid == old_rigid)
           CHECK(std::abs(report.energy_released) <= 1e-12 * before.kinetic);
       }

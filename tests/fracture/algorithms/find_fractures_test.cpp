@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Algorithms 3 and 4 line by line, on bodies small enough to know what has to come out.
+// Algorithms 3 and 4 line by line, on bodies small enough for known results.
 #include "fracture/algorithms/find_fractures.hpp"
 
 #include <catch2/catch.hpp>

@@ -74,7 +74,7 @@ inline void add_bridge(TetMesh& mesh, const std::vector<std::array<std::uint32_t
   }
 }
 
-/// Faces of the half whose points all lie at x = 0 (each belongs to one tetrahedron).
+/// Faces of the half with all points at x = 0 (each belongs to one tetrahedron).
 inline std::vector<std::array<std::uint32_t, 3>> faces_on_plane(const TetMesh& half) {
   std::vector<std::array<std::uint32_t, 3>> faces;
   for (const auto& t : half.tetrahedra) {

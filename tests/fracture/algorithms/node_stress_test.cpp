@@ -40,7 +40,7 @@ TEST_CASE("the first fan comes exactly when the stress passes the threshold", "[
     const Vec3 axis = random_direction(random);
     FractureScratch scratch;
     const TetMesh mesh = jittered(kuhn_box({3, 3, 3}), 0.15, 6);
-    // 1e-9 is what the exact test resolves; node stress itself is good to 1e-12 here.
+    // 1e-9 is the resolution of the exact test; node stress itself is good to 1e-12 here.
     Tension below = uniform_tension(mesh, axis, (1 - 2e-9) * Material{}.tensile_strength);
     CHECK(break_vertices({below.cells, below.state}, {}, scratch).reached == 0);
     Tension above = uniform_tension(mesh, axis, (1 + 2e-9) * Material{}.tensile_strength);

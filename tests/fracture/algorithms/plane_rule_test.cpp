@@ -99,7 +99,7 @@ TEST_CASE("everybody who cuts along a plane cuts the same faces", "[fracture][pl
     INFO("trial " << trial << ", vertex " << v.value << ", " << off << " tolerances off");
     const Point normal = {n.x(), n.y(), n.z()}, direction = canonical_direction(normal);
 
-    // What the rule says of that tetrahedron.
+    // The rule's answer for that tetrahedron.
     const double height = normal == direction ? off : -off;
     const auto own =
         std::ranges::find(star.corners, TetId{t}, [](CornerId c) { return tetrahedron_of(c); });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Fans (algorithm 4) and their queue: what splits, what is kept, in which order.
+// Fans (algorithm 4) and their queue: splits, kept data, their order.
 #include "fracture/algorithms/split_fan.hpp"
 
 #include <catch2/catch.hpp>

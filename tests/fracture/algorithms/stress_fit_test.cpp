@@ -140,7 +140,7 @@ TEST_CASE("the fit equals its slow twin while cracks go through its patches", "[
   INFO("seed " << seed);
   std::mt19937_64 random(seed);
   Tension body = uniform_tension(jittered(kuhn_box({3, 3, 3}), 0.15, 9), Vec3::UnitX(), 1);
-  StressFit fit;  // kept over the cracks: what is stale must be noticed
+  StressFit fit;  // kept over the cracks: stale patches must be noticed
   std::vector<Mat3> stress;
   for (int round = 0; round < 8; ++round) {
     random_stress(body, random);

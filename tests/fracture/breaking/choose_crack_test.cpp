@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What becomes of a vertex beside a crack.
+// Decisions about a vertex next to a crack.
 #include "fracture/breaking/choose_crack.hpp"
 
 #include <catch2/catch.hpp>

@@ -106,7 +106,7 @@ std::set<FaceKey> mirrored(const std::set<FaceKey>& faces, const MirrorBody& bod
   return images;
 }
 
-/// What one breaking step makes of a mirror body.
+/// The result of one breaking step of a mirror body.
 struct Outcome {
   Tension tension;
   FractureReport report;
@@ -140,7 +140,7 @@ std::set<std::uint32_t> points_on_plane(const MirrorBody& body) {
   return points;
 }
 
-/// The first vertex on the mirror's plane whose fan is not its own image.
+/// The first vertex on the mirror's plane with a fan that is not its own image.
 std::optional<std::uint32_t> one_of_two(const Outcome& outcome, const MirrorBody& body) {
   for (const FanEvent& fan : outcome.report.fans) {
     if (body.image_of_point[fan.point] != fan.point) continue;
@@ -162,13 +162,14 @@ TEST_CASE("the first breaking step of a mirror-symmetric body is mirror-symmetri
   // Where all directions are equally tense, starts of one tie follow each other round corners and
   // have no side in common.
   if (crack == CrackMode::object && field == Field::hydrostatic) return;
-  // Fields whose planes at a vertex on the mirror's plane are not their own images: see below.
+  // Fields with planes that are not their own images at vertices on the mirror's plane: see below.
   const bool chooses =
       field == Field::hydrostatic ||
       (joint == Joint::bridge && (field == Field::random || field == Field::smooth));
   std::size_t split = 0;
-  // Of the first 120 bodies of each kind 9 of 2 400 break otherwise, of both orders alike and all with
-  // crack objects: those that grow towards each other across the plane (order 1: 4, order 2: 5).
+  // Of the first 120 bodies of each kind 9 of 2 400 break otherwise, of both orders alike and all
+  // with crack objects: those that grow towards each other across the plane (order 1: 4, order 2:
+  // 5).
   const std::uint64_t first = order == 1 ? 0 : 20;
   for (std::uint64_t seed = first; seed < first + 12; ++seed) {
     INFO("crack " << int(crack) << " seed " << seed << " field " << int(field) << " joint " << int(joint) << " order " << order);

@@ -144,7 +144,7 @@ TEST_CASE("partners and those forgotten are the faces that have parted", "[fract
       CHECK(present.insert(pair_of(partner)).second);
       check_corners(partner, map);
     }
-    // Only what is of two components is forgotten, and for good; the others keep their order.
+    // Only pairs of two components are forgotten, and for good; the others keep their order.
     std::vector<FacePair> kept, first;
     for (const Partner& partner : before) {
       if (present.contains(pair_of(partner))) {
@@ -220,7 +220,7 @@ TEST_CASE("an open crack carries no tension", "[fracture][partners]") {
     advance(bare);
   }
   CHECK(held.state->mechanics.elements.stress == bare.state->mechanics.elements.stress);
-  // Through it: what was held has no stress left, and what was pulled is gone.
+  // Through it: the held part has no stress left, and the pulled part is gone.
   const Simulation parted = after(pressed_bar(-1e6, {through}), 100);
   double largest = 0;
   const MechanicsState& m = parted.state->mechanics;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Vertices over their threshold whose fan is empty or refused: counted once, tested again when
-// their stress changes.
+// Vertices over their threshold with an empty or refused fan: counted once, tested again when their
+// stress changes.
 #include <catch2/catch.hpp>
 #include <random>
 #include <set>
@@ -118,7 +118,7 @@ TEST_CASE("a waiting vertex that a neighbour's fan splits waits no longer", "[fr
     const FractureReport report = break_vertices({body.cells, body.state}, {}, scratch);
     CHECK(report.still_empty == 1);
     if (!split_rows(report).contains(3)) continue;
-    // It was tested again in the same call, and waits anew where its fan is empty still.
+    // It was tested again in the same call, and waits again where its fan is empty still.
     CHECK(body.cells.empty_fans.size() <= report.empty_fans);
     ++freed;
   }

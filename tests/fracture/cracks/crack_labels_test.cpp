@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Labels, and what they make of the faces whatever the order of the fans.
+// Labels, and their effect on the faces whatever the order of the fans.
 #include "fracture/cracks/crack_labels.hpp"
 
 #include <algorithm>

@@ -93,7 +93,7 @@ TEST_CASE("a bar pulled apart gives up sigma^2 L / (2 E) per area of its crack",
     CHECK(area == Approx(0.04).epsilon(1e-12));
     CHECK(projected == Approx(0.04).epsilon(1e-12));
     CHECK(energy / projected == Approx(closed_form).epsilon(1e-3));
-    // And what the ledger knows of it by other means: the strain that the scheme took.
+    // The ledger has the same by other means: the strain energy that the scheme took.
     CHECK(report.energy.numerical == Approx(energy).epsilon(1e-3));
     CHECK(strain - strain_energy(sim.state->mechanics) == Approx(energy).epsilon(1e-3));
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The energy a fan would release, against splitting a copy of the body and solving it anew.
+// The energy a fan would release, against splitting a copy of the body and solving it again.
 #include "fracture/energy/energy_release.hpp"
 
 #include <catch2/catch.hpp>
@@ -57,7 +57,7 @@ double potential(const MechanicsState& m, const Loads& loads) {
   return energy;
 }
 
-/// Splits a copy of the body and puts it into equilibrium anew; nothing where it has none.
+/// Splits a copy of the body and puts it into equilibrium again; nothing where it has none.
 std::optional<double> slow_release(const Simulation& sim, std::span<const HalfFaceId> faces) {
   Cells cells = sim.state->cells;
   MechanicsState m = sim.state->mechanics;

@@ -104,7 +104,7 @@ TEST_CASE("relaxing changes stresses in its patch alone, and nothing of the stat
       const auto [old_row, new_row] = face.split_vertices[std::size_t(i)];
       inside.insert({old_row, new_row});
     }
-    // Of second order an edge may part whose ends hang together still.
+    // Of second order an edge may part with ends that are still connected.
     if (order == 2) inside.insert(face.vertices.begin(), face.vertices.end());
   }
   std::set<TetId> patch;

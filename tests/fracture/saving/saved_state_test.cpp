@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A simulation goes on to the same bytes after a pause, and with new scratch in every step; and
-// what is wrong with a file is said.
+// faults of a file are reported.
 #include "fracture/saving/saved_state.hpp"
 
 #include <catch2/catch.hpp>
@@ -18,7 +18,7 @@ using namespace sunder::test;
 
 namespace {
 
-/// What of a run must not be missing for it to show anything.
+/// Events without which a run would test nothing.
 struct Seen {
   std::size_t fans = 0, sub_steps = 0, bordered = 0, settled = 0;
   std::array<std::size_t, rung_count> rungs{};

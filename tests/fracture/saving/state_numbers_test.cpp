@@ -119,14 +119,14 @@ TEST_CASE("a NaN in any column is named within a step, and no step crashes on it
       seen.insert(column.name);
       for (const std::size_t place : {column.first_byte, column.last_byte}) {
         Result<Simulation> sick = restore(poisoned(bytes, place, sizeof(double)));
-        // A surface with a NaN, which is made anew, is refused.
+        // A surface with a NaN, which is made again, is refused.
         if (!sick) continue;
         const std::vector<Finding> found = check_numbers(*sick, NumbersOf::everything);
         CHECK(names(found, column.name));
         const bool evolves =
             std::ranges::find(evolving, column.name, &NumberColumn::name) != evolving.end();
         CHECK(names(check_numbers(*sick, NumbersOf::columns), column.name) == evolves);
-        // What a NaN makes of a step may be anything but a crash or a hang.
+        // A step with a NaN may have any result but a crash or a hang.
         if (column.name.starts_with("scene.")) continue;  // settings have been judged when read
         advance(*sick);
       }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Measures of boxes whose numbers are known.
+// Measures of boxes with known numbers.
 #include "fracture/scene/body_measures.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a program that fills a scene itself may get wrong: refused as a scene file would be.
+// Mistakes of a program that fills a scene itself: refused as a scene file would be.
 #include "fracture/scene/check_scene.hpp"
 
 #include <catch2/catch.hpp>

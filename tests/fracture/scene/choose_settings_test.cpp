@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is chosen follows from the scene; what is given stays; what is told is what is set.
+// Chosen settings follow from the scene; given ones stay; reported ones are those that are set.
 #include "fracture/scene/choose_settings.hpp"
 
 #include <algorithm>

@@ -40,7 +40,7 @@ Run run(bool with_borders, int order) {
     if (!with_borders) {
       for (auto& retired : systems.retired) retired.reset();
     }
-    // Of what breaks in every step the system of the step is retired as it ends.
+    // If a component breaks in every step, the system of the step is retired as it ends.
     for (const auto* of : {&systems.present, &systems.retired}) {
       for (const auto& system : *of) result.bordered += system && !system->border.columns.empty();
     }
@@ -53,7 +53,7 @@ Run run(bool with_borders, int order) {
 
 TEST_CASE("with and without borders the same vertices break in the same steps",
           "[fracture][border]") {
-  // Of order 2 it breaks to pieces at once, whose contacts part the runs soon: compared before that.
+  // Order 2 breaks to pieces at once, and their contacts part the runs soon: compared before that.
   const int order = GENERATE(1, 2);
   const Run with = run(true, order), without = run(false, order);
   CHECK(with.fans.size() >= 8);

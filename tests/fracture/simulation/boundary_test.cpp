@@ -14,7 +14,7 @@ using namespace sunder::test;
 
 namespace {
 
-/// Cubes of 0.2 m in a row along x, a little beside each other, `gap` apart.
+/// Cubes of 0.2 m in a row along x, a little shifted sideways, `gap` apart.
 Scene row_of_cubes(int count, double gap) {
   Scene scene;
   scene.gravity.acceleration.setZero();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Budgets of fans and pieces for so long a time; what waits comes later.
+// Budgets of fans and pieces for a span of time; waiting fans come later.
 #include <catch2/catch.hpp>
 
 #include "fracture/simulation/simulation_state.hpp"

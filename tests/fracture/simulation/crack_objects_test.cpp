@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Cracks as objects beside everything else that a user chooses of fracture.
+// Cracks as objects together with all other settings of fracture.
 #include <catch2/catch.hpp>
 #include <set>
 
@@ -41,7 +41,7 @@ Scene pulled_bar() {
   return scene;
 }
 
-/// What holds of labels, anchors and faces after every step.
+/// The laws of labels, anchors and faces after every step.
 void hold_laws(const Simulation& sim) {
   const Cells& cells = sim.state->cells;
   const CrackLabels& cracks = cells.cracks;

@@ -176,8 +176,8 @@ TEST_CASE("a box as a mesh does what the box does", "[free][solid]") {
   const bool driven = GENERATE(false, true);
   const std::vector<Vec3> boxes = run(false, driven), meshes = run(true, driven);
   CHECK((boxes[0] - Vec3(0.02, 0.02, 0.02)).norm() > 5e-4);
-  // Sweeps go by other rows, and two blocks that rub on each other make much of where they end: boxes
-  // turned by a little more are as far off.
+  // Sweeps go by other rows, and two blocks that rub on each other make much of where they end:
+  // boxes turned by a little more are as far off.
   double spread = 5e-5;
   for (const double more : {1e-9, -1e-9, 1e-7, -1e-7}) {
     const std::vector<Vec3> turned = run(false, driven, 0.1 + more);

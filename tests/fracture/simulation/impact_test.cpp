@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Impact windows: when they open and close, who is in them, and the laws that hold inside.
+// Impact windows: when they open and close, their members, and the laws that hold inside.
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -16,7 +16,7 @@ using namespace sunder::test;
 
 namespace {
 
-/// A cube of 0.3 m of concrete whose lowest point is `gap` above the plane z = 0.
+/// A cube of 0.3 m of concrete with its lowest point `gap` above the plane z = 0.
 BodySettings cube_over_plane(double gap, double tilt = 0) {
   BodySettings cube;
   cube.mesh = suite::kuhn_box({3, 3, 3}, 0.1);
@@ -175,7 +175,7 @@ TEST_CASE("energy never grows in a window, with friction or without", "[fracture
   }
   INFO("step " << step << " tilt " << tilt << " friction " << friction << " E " << young);
   CHECK(fine > 0);
-  // What is pushed out of an overlap gains m v^2 / 2 of the push-out speed; nothing else gains.
+  // A body pushed out of an overlap gains m v^2 / 2 of the push-out speed; nothing else gains.
   CHECK(worst <= 1e-6 * start);
   CHECK(last <= start);
 }

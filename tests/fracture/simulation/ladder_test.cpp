@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The rungs of components: their bounds hold, and what they leave out is not missed.
+// The rungs of components: their bounds hold, and the omitted terms do not matter.
 #include "fracture/simulation/ladder.hpp"
 
 #include <catch2/catch.hpp>
@@ -148,7 +148,7 @@ TEST_CASE("what flies rigidly flies as it would have with its deformation", "[la
     apart = std::max(apart, (a.position[v] - b.position[v]).norm());
   }
   CAPTURE(apart);
-  CHECK(apart < 1e-7);  // a strain of 5e-9, and what it does to the inertia in 0.2 s
+  CHECK(apart < 1e-7);  // a strain of 5e-9, and its effect on the inertia in 0.2 s
   CHECK((momentum(a) - momentum(b)).norm() < 1e-11 * momentum(b).norm());
   CHECK((angular_momentum(a) - angular_momentum(b)).norm() < 1e-8 * angular_momentum(b).norm());
 }

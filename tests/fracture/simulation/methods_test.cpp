@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every integrator and model in a scene that falls and breaks; what bounded ones refuse.
+// Every integrator and model in a scene that falls and breaks; refusals by bounded ones.
 #include <catch2/catch.hpp>
 
 #include <algorithm>

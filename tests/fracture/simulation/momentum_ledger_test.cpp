@@ -22,7 +22,7 @@ BodySettings box(const Vec3& place, const Vec3& velocity) {
   return body;
 }
 
-/// All of them together over a run, and what is left over: of momentum (0) and angular momentum (3).
+/// All terms together over a run, and the residual: of momentum (0) and angular momentum (3).
 struct Sums {
   MomentumLedger ledger;
   Impulse residual = Impulse::Zero();

@@ -152,7 +152,7 @@ TEST_CASE("a bar of order 2 breaks: energy and momentum are accounted for, rows 
   }
   left += total_momentum(*sim.state);
   CHECK(fans > 5);
-  // What blows leave over in their sub-steps, as of order 1 (docs/lab/accuracy.md, Energy ledger).
+  // The residual of blows in their sub-steps, as of order 1 (docs/lab/accuracy.md, Energy ledger).
   CHECK(std::abs(residual) < 2e-4 * moved);
   CHECK(left.head<3>().norm() < 1e-10 * 4 * sim.state->mechanics.elements.size());
   double mass = 0, of_nodes = 0;
@@ -246,7 +246,7 @@ TEST_CASE("bars of order 2 fall and come to rest at any stiffness and step, and 
     return kinetic_energy(m.vertices) + strain_energy(m) + gravity_energy(m.vertices, g);
   };
   const double start = energy();
-  double fall = 0;  // J, of what lies flat
+  double fall = 0;  // J, of a fall by 0.1 m
   for (std::size_t v = 0; v < m.vertices.size(); ++v) {
     fall += m.vertices.mass[v] * 9.81 * 0.1;
   }
@@ -255,6 +255,6 @@ TEST_CASE("bars of order 2 fall and come to rest at any stiffness and step, and 
     REQUIRE(advance(sim).status.outcome == StepOutcome::fine);
     most = std::max(most, energy());
   }
-  // What falls is known at the ends of steps only.
+  // The fall is known at the ends of steps only.
   CHECK(most <= start + (1e-3 + 9.81 * step * step / 0.1) * fall);
 }

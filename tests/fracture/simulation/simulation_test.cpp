@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whole steps: a body pulled apart, one cut at rest, gravity's ramp, what a scene gets wrong.
+// Whole steps: a body pulled apart, one cut at rest, gravity's ramp, mistakes in a scene.
 #include "fracture/simulation/simulation_state.hpp"
 
 #include <catch2/catch.hpp>
@@ -117,7 +117,7 @@ TEST_CASE("breaking keeps mass and momentum, and the two runs of a scene are the
     std::size_t fans = 0;
     for (int i = 0; i < 60; ++i) fans += advance(sim).fracture.fans.size();
     CHECK(fans > 0);
-    // Rim speed 200 m/s, 58 kg: relative to what the pieces carry one by one.
+    // Rim speed 200 m/s, 58 kg: relative to the momenta of the pieces one by one.
     CHECK((momentum(sim.state->mechanics.vertices) - P).norm() < 1e-10 * 58 * 200);
     return std::pair{sim.state->mechanics.vertices.position, L};
   };

@@ -40,8 +40,8 @@ std::vector<std::string> error_codes(const Scene& scene) {
   return codes;
 }
 
-/// Pa: what a uniformly stressed mesh of the strength 1 Pa at 1 m^3 holds before its first vertex
-/// reaches its strength.
+/// Pa: the stress that a uniformly stressed mesh of the strength 1 Pa at 1 m^3 bears before its
+/// first vertex reaches its strength.
 double weakest(const TetMesh& mesh, const WeibullSettings& settings) {
   std::vector<double> volume(mesh.points.size(), 0);
   for (const auto& t : mesh.tetrahedra) {

@@ -47,7 +47,7 @@ Scene block(const suite::Cells& cells) {
   return scene;
 }
 
-/// What a run's ledgers leave over, over what moved.
+/// The energy residual of a run over the energy moved; the momentum given, and that by supports.
 struct Ledgers {
   double energy = 0;
   Impulse given = Impulse::Zero(), supports = Impulse::Zero();
@@ -201,9 +201,9 @@ TEST_CASE("what slides along free axes goes on for ever, and its ledgers close",
   Simulation sim = built(scene);
   const Vec3 before = momentum_of(sim);
   const double mass = 1000 * 0.2 * 0.2 * 0.1;
-  // 3 m: twenty radii of the body, whose frame has to follow.
+  // 3 m: twenty radii of the body, and its frame has to follow.
   const Ledgers ledgers = run(sim, 100);
-  // E d^2 times a length, 10^5 J for the 3 cm of a step, has to vanish: to some 1e-11 J a step.
+  // E d^2 times a length, 10^5 J for the 3 cm of a step, has to vanish: to some 1e-11 J per step.
   CHECK(ledgers.energy < 1e-8);
   CHECK((momentum_of(sim) - before - ledgers.given.head<3>()).norm() < 1e-9 * before.norm());
   CHECK(std::abs(ledgers.supports[2] - 0.1 * 5 * mass) < 1e-9);
@@ -276,7 +276,7 @@ TEST_CASE("cracks leave copies and pieces with the axes of their vertices",
   for (int k = 0; k < 60; ++k) {
     const StepReport report = advance(sim);
     REQUIRE(report.status.outcome == StepOutcome::fine);
-    // What has parted meets again, and contact of supported pieces closes to 1e-4 only.
+    // Parted pieces meet again, and contact of supported pieces closes to 1e-4 only.
     if (report.components == 1) residual += report.energy.residual;
     moved += report.energy.moved;
     if (k == 20) again = std::move(*restore(saved_state(sim)));

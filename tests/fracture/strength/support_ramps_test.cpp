@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Supports whose velocity is raised over time: positions, velocities, waves, ledgers, cracks, states.
+// Supports with rising velocity: positions, velocities, waves, ledgers, cracks, states.
 #include <catch2/catch.hpp>
 
 #include "fracture/saving/saved_state.hpp"

@@ -28,7 +28,7 @@ constexpr double height = 0.4;  // m
 constexpr double thick = 0.1;   // m
 constexpr double energy = 33;   // J/m^2
 
-/// A notched bar of concrete whose ends are pulled apart.
+/// A notched bar of concrete that is pulled apart at its ends.
 Scene pulled_bar(double step, double speed = 0.05, std::uint32_t order = 1) {
   constexpr double cell = height / 8, eps = 1e-3 * cell;
   Scene scene;
@@ -48,7 +48,7 @@ Scene pulled_bar(double step, double speed = 0.05, std::uint32_t order = 1) {
   return scene;
 }
 
-/// What holds after every step: the map is the map of pieces but for what is tied.
+/// The law after every step: the map is the map of pieces except for tied faces.
 void check_nesting(const Simulation& sim) {
   const Cells& cells = sim.state->cells;
   const DenseMap& pieces = cells.pieces->map;
@@ -125,7 +125,7 @@ void tie_plane(Simulation& sim, double at, const TiedPart& tied) {
   rebuild_pieces(*sim.state, fans, sim.scratch->mechanics);
 }
 
-/// Run until the bar is in two; what it took on the way.
+/// The energies of a run until the bar is in two.
 struct Taken {
   TieReport ties;
   double residual = 0, moved = 0;  // J
@@ -162,7 +162,7 @@ TEST_CASE("a crack takes G_c times its area, whatever the scene's step", "[ties]
   CHECK(taken.residual < 1e-4 * energy * section);
 }
 
-/// A notched bar, held at one end, whose other end is pulled by a force that rises over a second.
+/// A notched bar, held at one end and pulled at the other by a force that rises over a second.
 TEST_CASE("a bar under a load that is raised slowly opens its bonds and parts in two", "[ties]") {
   const auto order = GENERATE(1u, 2u);
   constexpr double cell = 0.05, eps = 1e-3 * cell;
@@ -249,14 +249,14 @@ TEST_CASE("copies that a fan made go on with the acceleration they had", "[ties]
     const auto [a, b] = pair;
     const double mass_a = m.vertices.mass[a.index()], mass_b = m.vertices.mass[b.index()];
     const Vec3 needed = (mass_b * elastic[a.index()] - mass_a * elastic[b.index()]) / (mass_a + mass_b);
-    // The force that keeps the two together is one that their ties bear: to rounding; of order 2 the
-    // rest of the step has opened them by a twentieth of their way.
+    // The force that keeps the two together is one that their ties bear: to rounding; of order 2
+    // the rest of the step has opened them by a twentieth of their way.
     const double beyond = order == 1 ? 1e-12 : 0.01;
     CHECK(effective_traction(needed, pull.first.normalized(), {}) <= pull.second * (1 + beyond));
   }
 }
 
-/// A block tied across its middle and nowhere else to break, whose ends move apart as told.
+/// A block tied across its middle and unbreakable elsewhere; one end moves away at `velocity`.
 Taken part_block(const ShearLaw& shear, const Vec3& velocity, double step, std::uint32_t order) {
   constexpr double cell = 0.05;
   Scene scene;
@@ -312,7 +312,7 @@ TEST_CASE("halves that bounce on their ties never heal them", "[ties]") {
   Simulation sim = built(std::move(scene));
   tie_plane(sim, cell, {-1, 99});
   for (double& strength : sim.state->cells.strength) strength = 1e30;
-  // Apart with a third of what would part them.
+  // Apart with a third of the energy that would part them.
   MechanicsState& m = sim.state->mechanics;
   for (const Component& c : m.components) {
     for (const TetId t : c.tetrahedra) {

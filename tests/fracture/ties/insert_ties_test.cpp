@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which faces are tied, and on what area.
+// Which faces are tied, and their areas.
 #include "fracture/ties/insert_ties.hpp"
 
 #include <Eigen/Geometry>

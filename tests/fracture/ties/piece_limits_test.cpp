@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Limits on pieces with ties: what a fan would leave were all ties spent, against union-find.
+// Limits on pieces with ties: the pieces that a fan leaves if all ties were spent, by union-find.
 #include "fracture/algorithms/piece_limits.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Faces tied and released in random order: two maps, held against union-find and each other.
+// Faces tied and released in random order: two maps, compared with union-find and each other.
 #include <catch2/catch.hpp>
 #include <cstdlib>
 #include <map>
@@ -16,7 +16,8 @@ using namespace sunder;
 
 namespace {
 
-/// Tetrahedra that hang together by the faces of a whole body that are not free, each by the lowest of its part.
+/// Tetrahedra that hang together by the faces of a whole body that are not free, each by the lowest
+/// of its part.
 std::vector<std::uint32_t> parts_of(const DenseMap& whole, const std::vector<char>& is_free) {
   UnionFind parts(whole.tetrahedra());
   for (std::size_t f = 0; f < 4 * whole.tetrahedra(); ++f) {
@@ -52,7 +53,7 @@ bool tie(Cells& cells, ContactMemory& contact, HalfFaceId face) {
   if (!split.did) return false;
   for (int i = 0; i < split.vertex_count; ++i) append_copy(cells, split.split_vertices[i].old_row);
   Tie made{.face = split.face, .opposite = split.opposite};
-  // Spent as soon as anybody looks: what is drawn is taken out of the list until it is its turn.
+  // Spent at the first look: a drawn tie is taken out of the list until its turn comes.
   for (TieCorner& corner : made.corners) corner = {1, 1, 2, 1};
   contact.ties.push_back(made);
   return true;

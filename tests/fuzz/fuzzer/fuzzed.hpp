@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a fuzzer enters: defined once for readers of meshes, once for what a run reads.
+// The targets of a fuzzer: defined once for readers of meshes, once for the inputs of a run.
 #pragma once
 
 #include <span>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// write_reader_seeds FOLDER: small meshes with everything in them, in every format, version and encoding.
+// write_reader_seeds FOLDER: small meshes with everything in them, in every format, version and
+// encoding.
 #include <fmt/format.h>
 
 #include <cmath>

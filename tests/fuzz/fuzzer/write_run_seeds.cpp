@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// write_run_seeds FOLDER: for each target of what a run reads, a folder with an input that is right.
+// write_run_seeds FOLDER: for each target among a run's inputs, a folder with a right input.
 #include <cstdio>
 #include <filesystem>
 #include <fstream>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A host program: steps a scene, tells each piece's mass and motion as it comes off, writes a
+// A host program: steps a scene, prints each piece's mass and motion as it comes off, writes a
 // frame.
 #include <cstdio>
 #include <cstdlib>
@@ -10,7 +10,7 @@
 
 namespace {
 
-/// Prints what was found; true when none of it is an error.
+/// Prints the findings; true when none of them is an error.
 bool is_fine(const std::vector<sunder::Finding>& findings) {
   for (const sunder::Finding& f : findings) {
     std::fprintf(stderr, "%s: %s; %s\n", f.code.c_str(), f.text.c_str(), f.remedy.c_str());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Baselines: implicit Euler by Broyden and Newton, corotational elements; what each keeps and
-// loses.
+// Baselines: implicit Euler by Broyden and Newton, corotational elements; the quantities that each
+// keeps and loses.
 #include <catch2/catch.hpp>
 
 #include <cmath>
@@ -123,7 +123,7 @@ TEST_CASE("broyden, Newton and the linearised step of implicit Euler agree on a 
     INFO(method.name << ": " << status.solve.iterations << " iterations, E " << E << ", order "
                      << order);
     CHECK(status.solve.not_converged == 0);
-    // What differs is of second order in the displacement, and the tolerance.
+    // The difference is of second order in the displacement, plus the tolerance.
     CHECK(farthest(state, linear) < 1e-4 * size * 0.3);
   }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Damping of explicit steps: the forces of a viscosity, what they take, and the step they stand.
+// Damping of explicit steps: viscous forces, their work, and the largest stable step.
 #include <catch2/catch.hpp>
 
 #include <cmath>
@@ -14,7 +14,8 @@ using namespace sunder::test;
 
 namespace {
 
-/// Sum, moment about the origin, power, and the sum of sizes of forces at x on what moves by v.
+/// Sum, moment about the origin, power, and sum of sizes of forces at x on points with velocity v.
+/// v.
 struct Totals {
   Vec3 sum = Vec3::Zero(), moment = Vec3::Zero();
   double power = 0, size = 0;
@@ -132,7 +133,7 @@ TEST_CASE("explicit steps with damping: a mode falls as it should, its energy is
   MechanicsScratch scratch;
   measure_elements(state, scratch, body.corners, {.model = model});
   const double start = total_energy(state), amplitude = axial_amplitude(state);
-  // c / 2L, as a bar of lumped masses has it; a tenth of what is critical.
+  // c / 2L, as a bar of lumped masses has it; a tenth of critical damping.
   const double w = 2 * pi * 2642.7, ratio = 0.1, factor = 2 * ratio / w;
   IntegratorSettings settings{.integrator = integrator, .model = model};
   settings.damping.stiffness_factor = factor;
@@ -177,7 +178,7 @@ TEST_CASE("strong damping stays bounded and leaves momenta and a spin as they we
   }
   CHECK((momentum(state.vertices) - linear).norm() < 1e-12 * linear.norm());
   CHECK((angular_momentum(state.vertices) - angular).norm() < 1e-11 * angular.norm());
-  // What rang is gone; what the spin stretches stays.
+  // The ringing is gone; the stretch by the spin stays.
   CHECK(strain_energy(state) < 0.01 * wild);
   CHECK(last.solve.sub_steps ==
         sub_step_count(settings.time_step, damped_step_bound(bound, 4 * bound)));

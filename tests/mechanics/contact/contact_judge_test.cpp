@@ -48,7 +48,7 @@ ContactFrame two_boxes(const Vec3& low, const Vec3& size) {
 
 TEST_CASE("the judge knows how deep tetrahedra lie in each other", "[contact][judge]") {
   const TetCorners a = tetrahedron({0, 0, 0});
-  // Corner on, through the slanted face, whose distance from the origin is 1 / sqrt 3.
+  // Corner on, through the slanted face, at a distance of 1 / sqrt 3 from the origin.
   CHECK(overlap(a, tetrahedron({0.3, 0.3, 0.3})) ==
         Approx((1 - 0.9) / std::sqrt(3.0)).epsilon(1e-12));
   CHECK(overlap(a, tetrahedron({0.4, 0.4, 0.4})) < 0);

@@ -106,8 +106,8 @@ TEST_CASE("a falling cube never gains energy and never rebounds faster than it c
   }
   CHECK(highest <= start + 1e-9 * std::abs(start));
   CHECK(fastest <= 1);
-  // The scheme remembers accelerations, so a step may give back a little of what the one before
-  // took from the struck layer (a sixth of the mass, 0.17 of the energy): a fifth of that at most.
+  // The scheme remembers accelerations, so a step may give back a little of the energy taken before
+  // from the struck layer (a sixth of the mass, 0.17 of the energy). A fifth of it is the bound.
   CHECK(largest_regain <= 0.034 * impact);
 }
 
@@ -178,7 +178,7 @@ TEST_CASE("a sliding block decelerates by mu g and stops", "[mechanics][contact]
   // A soft block rings while it slides: 1e8 Pa leaves a ripple of a few parts in a thousand.
   CHECK(last == Approx(1 - mu * g * duration).epsilon(young_modulus > 1e10 ? 1e-4 : 1e-2));
   for (int k = 0; k < 400; ++k) scene.step();
-  // What is left of the soft block is its ringing on the spot.
+  // The rest of the soft block's motion is its ringing on the spot.
   CHECK(std::abs(speed(scene.state, Vec3::UnitX())) < (young_modulus > 1e10 ? 1e-6 : 2e-3));
 }
 
@@ -210,8 +210,8 @@ TEST_CASE(
     double rebound;      ///< least rebound / v
     double tension;      ///< most tension / (rho c v) while the wall is touched
   };
-  // What is reached, less a margin of 0.02: the second-order scheme (rho_infinity = 0) damps waves
-  // shorter than ten steps. The exact bar has 1, 1, 0.
+  // The values reached, less a margin of 0.02: the second-order scheme (rho_infinity = 0) damps
+  // waves shorter than ten steps. The exact bar has 1, 1, 0.
   const Expected expected =
       GENERATE(Expected{0.005, 0.97, 0.94, 0.42}, Expected{0.02, 0.96, 0.89, 0.28},
                Expected{0.1, 0.88, 0.69, 0.23}, Expected{1.0, 0.74, 0.11, 0.02},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Crack faces against each other: gaps at birth, what is forgotten, one row for a plane.
+// Crack faces against each other: gaps at birth, forgotten partners, one row for a plane.
 #include "mechanics/contact/detection/contact_partners.hpp"
 
 #include <algorithm>
@@ -14,7 +14,7 @@ using namespace sunder::test;
 
 namespace {
 
-/// A body cut in two, and what detection looks at.
+/// A body cut in two, and the input of detection.
 struct Parted {
   Body body;
   MechanicsState state;
@@ -33,7 +33,7 @@ struct Parted {
     return {state, body.corners, predicted, frame, {}, {}, 1e-3};
   }
 
-  /// Moves what lies above by `way`: in a step, or before it.
+  /// Moves the upper part by `way`: in a step, or before it.
   void shift_upper(std::vector<Vec3>& places, const std::vector<bool>& upper, const Vec3& way) {
     std::vector<bool> moves(places.size(), false);
     for (std::size_t t = 0; t < body.corners.size(); ++t) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Contact as the paper has it: its springs beside a plain twin, what it keeps, and where it fails.
+// Contact as the paper has it: its springs against a plain twin, conserved quantities, and
+// failures.
 #include <catch2/catch.hpp>
 
 #include <cmath>

@@ -33,7 +33,7 @@ void cut(ContactScene& scene, double plane) {
   part(scene.state, scene.body, right, true, scene.mechanics);
 }
 
-/// Twelve bars whose balls interlock as they fall, and a ball on top, 36 J.
+/// Twelve bars with balls that interlock as they fall, and a ball on top, 36 J.
 ContactScene interlocked_bars() {
   std::mt19937 random(21);
   std::vector<Body> parts;
@@ -83,8 +83,8 @@ TEST_CASE("pieces that part and are pushed back meet where they were one", "[mec
   scene.integrator.time_step = 1e-3;
   scene.step();
   cut(scene, 0.0);
-  // No partners: what closes the gap is the search. Apart by 2 cm, then back at 1 m/s, aside by 1
-  // cm, so that no vertex meets the one that it was one with.
+  // No partners: the search alone closes the gap. Apart by 2 cm, then back at 1 m/s, aside by 1 cm,
+  // so that no vertex meets its former copy.
   place(scene.state, ComponentId{1}, {.translation = {0.02, 0.01, 0.01}, .velocity = {-0.5, 0, 0}});
   place(scene.state, ComponentId{0}, {.velocity = {0.5, 0, 0}});
   const auto distance = [&] {

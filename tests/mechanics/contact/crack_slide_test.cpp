@@ -20,7 +20,7 @@ struct Tilted {
       : scene{kuhn_block({3, 3, 2}, {0.3, 0.3, 0.1}),
               state_of(kuhn_block({3, 3, 2}, {0.3, 0.3, 0.1}), material_of(1e9))} {
     const std::vector<bool> upper = above(scene.body);
-    // An inradius of its tetrahedra is 12 mm; what is slid over in the test is less.
+    // An inradius of its tetrahedra is 12 mm; the sliding distance in the test is less.
     scene.memory.partners = partners_between(scene.body.corners, upper, 0.006);
     scene.state.motions.push_back({});
     const Eigen::Quaterniond turn(Eigen::AngleAxisd(angle * degree, Vec3::UnitY()));

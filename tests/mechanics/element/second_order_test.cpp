@@ -187,7 +187,8 @@ TEST_CASE("a constant strain under even traction is exact, by mid-edge nodes alo
       all.push_back(load);
     }
   }
-  // Held on three planes' worth of single nodes: the lowest corner whole, two more by what remains.
+  // Single nodes on three planes are held: the lowest corner in all axes, two more in some.
+  // axes.
   state.motions = {{}, {.axes = {false, true, true}}, {.axes = {false, false, true}}};
   const auto at = [&](const Vec3& x) {
     for (std::size_t v = 0; v < body.rest.size(); ++v) {

@@ -25,7 +25,7 @@ bool is_rotation(const Eigen::Quaterniond& q) {
   return q.coeffs().allFinite() && std::abs(q.norm() - 1) < 8 * eps;
 }
 
-/// tr(R^T A), what the rotation maximises.
+/// tr(R^T A), which the rotation maximises.
 double agreement(const Eigen::Quaterniond& R, const Mat3& A) {
   return R.toRotationMatrix().cwiseProduct(A).sum();
 }

@@ -50,7 +50,7 @@ TEST_CASE("a free body that is pulled apart comes to rest at steps of any length
   const Loads loads = pulled(state, 0.5, 1e6);
   const StepStatus status = run(state, body, {.time_step = h}, 200, loads);
   REQUIRE(status.outcome == StepOutcome::fine);
-  // Kuhn's diagonals are not symmetric: it turns by what its deformation moves the forces' arms.
+  // Kuhn's diagonals are not symmetric: the body turns as its deformation moves the forces' arms.
   CHECK(state.components[0].angular_momentum.norm() / 400 < 1e-3);
   double tension = 0;
   for (std::size_t t = 0; t < state.elements.size(); ++t) {
@@ -105,8 +105,8 @@ TEST_CASE("a pressure that turns with its body gives a spinning one no moment",
     const StepStatus status = advance(state, scratch, {body.corners, loads, settings});
     REQUIRE(status.outcome == StepOutcome::fine);
   }
-  // What keeps its direction would give 1e3 N m for 2 s, six times L. Those that turn act on ends
-  // that their own load moved.
+  // Forces of constant direction would give 1e3 N m for 2 s, six times L. Forces that turn act on
+  // ends that their own load moved.
   CHECK((state.components[0].angular_momentum - L).norm() < 1e-3 * L.norm());
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Impulses: what they do at once, and that the response matrix is the derivative of the step.
+// Impulses: their effect at once, and the response matrix as the derivative of the step.
 #include <catch2/catch.hpp>
 
 #include <cmath>

@@ -261,8 +261,8 @@ TEST_CASE("a body pushed through itself comes back", "[mechanics][failure]") {
   MechanicsScratch scratch;
   measure_elements(state, scratch, body.corners);
   const double energy = strain_energy(state);
-  // Strains of 150 per cent turn the frame as fast as the body rings, far outside of what the
-  // scheme is for; with a tenth of critical damping nothing grows and the shape returns.
+  // Strains of 150 per cent turn the frame as fast as the body rings, far outside of the scheme's
+  // range; with a tenth of critical damping nothing grows and the shape returns.
   const IntegratorSettings settings{.time_step = 1e-3, .damping = {.stiffness_factor = 2e-3}};
   double most = 0;
   const StepStatus status = run(state, body, settings, 2000, {}, [&] {

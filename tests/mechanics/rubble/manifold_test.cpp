@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Manifolds against all axes, and by what they must be.
+// Manifolds against all axes, and by their required properties.
 #include "mechanics/contact/shapes/manifold.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Smoothing of what is drawn (section 3.3): frame rates, half turns, splits.
+// Smoothing of drawn motion (section 3.3): frame rates, half turns, splits.
 #include "mechanics/state/display_state.hpp"
 
 #include <catch2/catch.hpp>

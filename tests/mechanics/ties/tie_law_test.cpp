@@ -22,7 +22,8 @@ TieCorner some_corner(std::mt19937& random) {
   return corner;
 }
 
-/// What a corner of the plane x = 0 takes on a path of (opening, sliding), by many small steps.
+/// The energies of a corner of the plane x = 0 on a path of (opening, sliding), by many small
+/// steps.
 struct Path {
   double work = 0, dissipated = 0, stored = 0, opened = 0;
   double least_dissipation = 0;  ///< J, in any small step
@@ -100,7 +101,7 @@ TEST_CASE("the mean traction takes the energy that small openings take", "[ties]
     const double whole = corner.area * corner.strength * corner.opening_end;
     CHECK(std::abs(corner.area * mean_traction(corner, to) * (to - corner.opened) - work) <
           1e-8 * whole);
-    // What was stored before and is stored after, and what is lost for good, is that work.
+    // The change of stored energy, and the energy lost for good, make up that work.
     const double before =
         stored_energy(corner, corner.opened, 1) + dissipated_energy(corner, corner.opened, 1);
     TieCorner later = corner;
@@ -186,7 +187,7 @@ TEST_CASE("no path creates energy, and what it takes is what the law says", "[ti
                  most = std::max(1.0, shear.energy_ratio);
     CHECK(seen.dissipated <= most * whole * (1 + 1e-9));
     CHECK(seen.dissipated >= least * whole * seen.opened / corner.opening_end * (1 - 1e-9));
-    // Back to where it began: whatever was stored is given back, and what is left was dissipated.
+    // Back to where it began: all stored energy is given back, and the rest was dissipated.
     path.push_back({0, 0});
     const Path closed = path_of(corner, path, shear);
     CHECK(closed.stored == Approx(0).margin(1e-12 * whole));

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Holds what survived against random answers of the whole library (outputs_main.cpp).
+"""Compares survivors with the program by random answers of the whole library (outputs_main.cpp).
 
     python3 check_survivors.py --build build/release/tests/mutants/operators
 
-With each survivor on, the program has to print what it prints without: else the mutant changes an
+With each survivor on, the program has to print the same as without: else the mutant changes an
 answer, and no proof can say otherwise. Says of every survivor whether it was reached and whether it
 differs; results go to `outputs.jsonl` in the build folder, and a run goes on where the last ended.
 Exit code 1 when a mutant that survivors.json proves to change nothing changes an answer, or when
@@ -74,7 +74,8 @@ def main():
         what = "differs" if result["differs"] else "the same" if result["reached"] else "not reached"
         counts[what] += 1
         entry = proved.get(key_of(m), {})
-        # An entry may say itself that nothing ever asks for it; what the types prove need not be asked for.
+        # An entry may say itself that nothing reaches it; one proved by its types need not be
+        # reached.
         expected = {"the same"} if entry.get("reached", True) else {"not reached"}
         if "rule" in entry:
             expected = {"the same", "not reached"}

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""What a mutation operator may change in a C++ source: sites and the text each one may become.
+"""The sites that a mutation operator may change in a C++ source, and the texts each one may become.
 
 libclang (Debian's python3-clang-16) parses the source, so bodies of templates in headers are sites
 like all others. A site is a range of bytes; its alternatives are texts that may stand there instead.
-What a run-time switch cannot reach (what the compiler evaluates, conditions of `if constexpr`,
+Code out of reach of a run-time switch (evaluated by the compiler, conditions of `if constexpr`,
 macros) is counted in `left_out` and gets no site.
 """
 
@@ -18,7 +18,7 @@ KNOWN_KIND = Kind.from_id
 
 
 def kind_of_number(number):
-    """Concepts and what follows from them have no name in the binding: nothing is changed there."""
+    """Concepts and the cursors below them have no name in the binding: nothing is changed there."""
     try:
         return KNOWN_KIND(number)
     except ValueError:
@@ -51,7 +51,7 @@ LOOPS = {Kind.FOR_STMT, Kind.WHILE_STMT, Kind.DO_STMT, Kind.CXX_FOR_RANGE_STMT}
 
 @dataclass
 class Site:
-    """A range of bytes with what may stand there instead."""
+    """A range of bytes with its alternatives."""
     start: int
     end: int
     function: str
@@ -64,14 +64,14 @@ class Site:
 
 @dataclass
 class Place:
-    """What the walk knows of where it is."""
+    """The walk's knowledge of its place."""
     function: str = ""
     at_compile_time: bool = False
     last: frozenset = frozenset()  # starts of the statements behind which the function's body ends
     is_void: bool = False
     gives_reference: bool = False
     in_for_condition: bool = False
-    breaks: str = ""    # what a `break` leaves: "loop" or "switch"
+    breaks: str = ""    # the statement that a `break` leaves: "loop" or "switch"
 
 
 def masked(source):
@@ -81,13 +81,13 @@ def masked(source):
 
 
 def code_of(source):
-    """The text without comments and with each blank of one character: what it says to a compiler."""
+    """The text without comments and with each blank of one character, as a compiler sees it."""
     pattern = r'//[^\n]*|/\*.*?\*/|("(?:\\.|[^"\\\n])*")'
     return re.sub(r"\s+", " ", re.sub(pattern, lambda m: m.group(1) or " ", source, flags=re.S))
 
 
 class Sites:
-    """The sites of one file, found by a walk over what libclang makes of it."""
+    """The sites of one file, found by a walk over its cursors in libclang."""
 
     def __init__(self, path, translation_unit):
         self.path = str(path)
@@ -141,7 +141,7 @@ class Sites:
         return len(self.blank)
 
     def is_template_argument(self, at):
-        """Whether what stands at `at` is inside the <...> of a name."""
+        """Whether the byte at `at` is inside the <...> of a name."""
         depth, i = 0, at - 1
         while i >= 0 and self.blank[i:i + 1] not in b";{}":
             c = self.blank[i:i + 1]
@@ -232,7 +232,7 @@ class Sites:
             self.add(cursor, place, [("arithmetic", f"({a}) {o} ({b})") for o in ARITHMETIC[operator]])
 
     def same_relation(self, left, operator, right):
-        """(operator, why) where another relation says the same, by what the types can hold."""
+        """(operator, why) where another relation says the same, by the values of the types."""
         kind = left.type.get_canonical().kind
         if kind in UNSIGNED and right.type.get_canonical().kind in UNSIGNED:
             if re.fullmatch(r"0[uUlLzZ]*", self.text_of(right)):
@@ -254,7 +254,7 @@ class Sites:
 
     @staticmethod
     def named(cursor):
-        """What a name stands for; None where the expression is more than a name."""
+        """The declaration of a name; None where the expression is more than a name."""
         while cursor.kind == Kind.UNEXPOSED_EXPR:
             children = list(cursor.get_children())
             if len(children) != 1:
@@ -315,7 +315,7 @@ class Sites:
             self.add(cursor, place, [("call", text[len("std::abs"):])])
 
     def statement(self, cursor, place):
-        """Removal of a statement, and what stands instead of break, continue and return."""
+        """Removal of a statement, and replacements of break, continue and return."""
         start, end = self.span(cursor)
         end = self.blank.index(b";", end) + 1
         kind = cursor.kind

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The tests of topology and every fixture of the suite as test cases of one program, which tells
-// which mutants each of them asks for (`SUNDER_REACHED`: a file to write to), or with `--serve`
+// The tests of topology and every fixture of the suite as test cases of one program, which lists
+// the mutants that each of them reaches (`SUNDER_REACHED`: a file to write to), or with `--serve`
 // answers about one mutant after the other.
 #define CATCH_CONFIG_RUNNER
 #include <catch2/catch.hpp>
@@ -30,7 +30,7 @@ namespace {
 
 using namespace sunder::suite;
 
-/// What a test case that is made when the program starts runs.
+/// A function that runs as a test case made at the program's start.
 class Made : public Catch::ITestInvoker {
  public:
   explicit Made(std::function<void()> run) : run_(std::move(run)) {}
@@ -77,7 +77,7 @@ void add_suite(const std::vector<Fixture>& fixtures) {
   }
 }
 
-/// Writes what each case has asked for at its end, and how long it took.
+/// Writes the faults that each case has reached, at its end, and its time.
 class Reached : public Catch::TestEventListenerBase {
  public:
   using TestEventListenerBase::TestEventListenerBase;
@@ -131,15 +131,15 @@ int run_cases(const std::vector<Asked>& cases, int* at) {
   for (std::size_t i = 0; i < cases.size(); ++i) {
     *at = static_cast<int>(i);
     set_timer(ITIMER_PROF, cases[i].limit);
-    set_timer(ITIMER_REAL, 60 + 20 * cases[i].limit);  // where it waits for what never comes
+    set_timer(ITIMER_REAL, 60 + 20 * cases[i].limit);  // for cases that wait for ever
     if (!context.runTest(*cases[i].test).assertions.allOk()) return 1;
   }
   return 0;
 }
 
-/// What SUNDER_FAULT would switch on is asked for by lines: a number, then names of cases with
-/// their limits, all between tabs. The answer to each is a line: `passed`, or which case failed
-/// (from 0), and its exit code or signal as the shell has it.
+/// Mutants, as of SUNDER_FAULT, are asked for by lines: a number, then names of cases with their
+/// limits, all between tabs. The answer to each is a line: `passed`, or which case failed (from 0),
+/// and its exit code or signal as the shell has it.
 int serve() {
   const auto config = std::make_shared<Catch::Config>(Catch::ConfigData{});
   std::map<std::string, const Catch::TestCase*> by_name;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// All that topology/{kernel,cells,mesh} answers about random bodies, damaged meshes and operations,
-// as one number an area: `sunder_operator_outputs ROUNDS SEED`. A mutant that is said to change
-// nothing has to print what the program prints without it. `SUNDER_REACHED`: a file that gets the
-// numbers of the mutants asked for.
+// All answers of topology/{kernel,cells,mesh} about random bodies, damaged meshes and operations,
+// as one number per area: `sunder_operator_outputs ROUNDS SEED`. A mutant that is said to change
+// nothing has to print the numbers of the program without it. `SUNDER_REACHED`: a file that gets
+// the numbers of the mutants asked for.
 #include <fmt/format.h>
 
 #include <cmath>

@@ -14,7 +14,7 @@
 
 namespace sunder::test {
 
-/// What the other areas ask seldom or with right numbers only.
+/// Functions that the other areas call seldom or with right numbers only.
 inline void parts_round(Random& random, Digest& out) {
   std::string text;
   for (std::size_t i = suite::below(random, 12); i > 0; --i) text += "ab,\n"[suite::below(random, 4)];

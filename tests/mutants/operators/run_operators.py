@@ -3,10 +3,11 @@
 
     python3 run_operators.py --build build/release/tests/mutants/operators [--only topology/kernel]
 
-Results go to results.jsonl in the build folder, a line a mutant as it is known; a run goes on where
-the last one ended. What has a result keeps it while the code of its function stands; a proof in
-survivors.json names that code too (`code`), and has to be looked at again once it is another. `--again` asks
-those that survived and have no proof once more, as after new tests or with more time (`--most`). At the end: the score by file.
+Results go to results.jsonl in the build folder, a line per mutant as it is known; a run goes on
+where the last one ended. A mutant keeps its result while the code of its function stands. A proof
+in survivors.json names that code too (`code`), and has to be looked at again once it is another.
+`--again` asks survivors without a proof once more, as after new tests or with more time (`--most`).
+At the end: the score by file.
 Exit code 0 when every survivor has its proof in survivors.json, 1 otherwise.
 """
 
@@ -76,7 +77,7 @@ class Tests:
 
 
 class Server:
-    """`sunder_operators --serve`: forks for each mutant, so that what all need is read once."""
+    """`sunder_operators --serve`: forks for each mutant, so that shared data are read once."""
 
     def __init__(self, program):
         self.process = subprocess.Popen(
@@ -100,7 +101,7 @@ class Server:
 
 
 class Results:
-    """What is known of each mutant, in a file that grows by lines."""
+    """The result of each mutant, in a file that grows by lines."""
 
     def __init__(self, path):
         self.path, self.lock, self.known = path, threading.Lock(), {}
@@ -117,7 +118,7 @@ class Results:
 
 
 def run_all(tests, mutants, results, arguments):
-    """Judges what has no result yet."""
+    """Judges the mutants that have no result yet."""
     wanted = ("survived", "unreached") if arguments.again else ("",)
     todo = [m for m in mutants if results.known.get(key_of(m), {"status": ""})["status"] in wanted]
     if arguments.again:
@@ -155,7 +156,8 @@ def run_all(tests, mutants, results, arguments):
 
 
 def run_hidden(program, mutants, results):
-    """Asks the case of meshes too large to number, which takes 18 GB, of what survived without a proof."""
+    """Runs the case of meshes too large to number, which takes 18 GB, on survivors without a
+    proof."""
     proved, _ = proofs_of(mutants, results.known)
     for m in mutants:
         key = key_of(m)
@@ -169,8 +171,8 @@ def run_hidden(program, mutants, results):
 
 
 def wanted_of(entry):
-    """What the mutants of an entry have: one text and its mutant, several of them (`changes`, each
-    with its `nth` behind where there are more), or whatever is changed in the function."""
+    """The keys that the mutants of an entry have: one text and its mutant, several of them
+    (`changes`, each with its `nth` behind where there are more), or any change in the function."""
     place = {k: entry[k] for k in ("file", "function")}
     if "changes" in entry:
         return [place | dict(zip(("original", "mutant", "nth"), change)) for change in entry["changes"]]
@@ -178,8 +180,8 @@ def wanted_of(entry):
 
 
 def proofs_of(mutants, known):
-    """survivors.json by the key of each mutant, and what the types alone say; an entry that fits no
-    survivor, or one of a function whose code has changed since, is an error."""
+    """survivors.json by the key of each mutant, and proofs by the types alone; an entry that fits
+    no survivor, or one of a function with code that has changed since, is an error."""
     entries = json.loads((HERE / "survivors.json").read_text(encoding="utf-8"))
     proved, wrong = {}, []
     for entry in entries:
@@ -225,7 +227,8 @@ def table(mutants, known, proved):
 
 
 def publish(listed, known, proved):
-    """Writes score and proofs into tests/mutants/README.md, and what is not yet looked at beside this."""
+    """Writes score and proofs into tests/mutants/README.md, and the unjudged survivors next to
+    it."""
     mutants = listed["mutants"]
     lines = ["", *table(mutants, known, proved), "", "Left out: " + ", ".join(
         f"{n} x {why}" for why, n in sorted(listed["left_out"].items())) + ".", "",

@@ -149,7 +149,8 @@ def write_if_new(path, text):
 
 
 def included(name, texts):
-    """The headers of these rooms that a source includes, one by the other: what its parse depends on."""
+    """The headers of these rooms that a source includes, directly or not: its parse depends on
+    them."""
     found, todo = set(), [name]
     while todo:
         more = {n.decode() for n in re.findall(rb'#include "(topology/[^"]+)"', texts[todo.pop()])}
@@ -195,8 +196,8 @@ def main():
     files = dict(zip(names, pool.map(File, *zip(*[(project, name, ROOM * k, out / "parsed" / name, depends[name])
                                                    for k, name in enumerate(names)]))))
     dropped = set()
-    # What did not compile the last time, by file, as a new file moves the numbers of those behind it: tried again
-    # when its file changed.
+    # Mutants that did not compile the last time, by file, as a new file moves the numbers of those
+    # behind it: tried again when their file changed.
     known = out / "dropped_of_files.json"
     stale = {name for name, f in files.items() if write_if_new(out / "originals" / name, f.found.source.decode())}
     if known.exists():
@@ -204,8 +205,8 @@ def main():
                    if name in files and name not in stale for n in own}
     for name, file in files.items():
         write_if_new(out / name, file.copy(dropped))
-    # Headers first by themselves, then the sources, which instantiate them. What compiled the last
-    # time need not be tried again, unless it or a header that it includes is new.
+    # Headers first by themselves, then the sources, which instantiate them. A file that compiled
+    # the last time need not be tried again, unless it or a header that it includes is new.
     clean = out / "clean.json"
     compiled = json.loads(clean.read_text(encoding="utf-8")) if clean.exists() else {}
 

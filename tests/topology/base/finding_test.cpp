@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Findings: words of their severities, errors among them, values beside them.
+// Findings: words of their severities, errors among them, values with them.
 #include "topology/base/finding.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sets by union-find, and what a star falls into.
+// Sets by union-find, and the parts of a star.
 #include "topology/base/union_find.hpp"
 
 #include <catch2/catch.hpp>

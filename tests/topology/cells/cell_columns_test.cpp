@@ -12,7 +12,7 @@ using namespace sunder::test;
 
 namespace {
 
-/// A column for every rule, of numbers that tell their row.
+/// A column for every rule, of numbers that name their row.
 struct All {
   std::vector<double> mass;
   std::vector<int> region;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Operations on cells of bodies of meshes/suite, held against what a second program expects
+// Operations on cells of bodies of meshes/suite, compared with the expectations of a second program
 // (make_cell_fixtures.py).
 #include <algorithm>
 #include <fstream>
@@ -61,7 +61,7 @@ double volume_of(const VolumeMap& map, TetId t) {
   return std::abs(six) / 6;
 }
 
-/// A map with its journal, and what steps of the file do to it.
+/// A map with its journal, and the effect of the file's steps on it.
 struct Course {
   VolumeMap map;
   Journal journal;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is asked of GUDHI and Regina about a moment, and what has to be equal.
+// The questions to GUDHI and Regina about a moment, and the numbers that have to be equal.
 #include "tests/topology/cells/cell_homology.hpp"
 
 #include <fmt/format.h>

@@ -18,11 +18,11 @@ struct OutsideLimits {
   /// GUDHI about the barycentric subdivision; about the cells themselves it is always asked when
   /// they are a simplicial complex.
   std::size_t gudhi = 60;
-  /// Regina, whose matrices are dense.
+  /// For Regina, which has dense matrices.
   std::size_t regina = 40;
 };
 
-/// What outside programs were asked, and how often a division was found to keep homology.
+/// The questions to outside programs, and how often a division was found to keep homology.
 struct OutsideReport {
   std::size_t moments = 0, by_gudhi = 0, by_regina = 0, kept_by_gudhi = 0, kept_by_regina = 0;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A short run of what `sunder_cell_homology` does at length.
+// A short run of the checks that `sunder_cell_homology` makes at length.
 #include "tests/topology/cells/cell_homology.hpp"
 
 #include <catch2/catch.hpp>

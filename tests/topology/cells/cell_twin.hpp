@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The slow twin of operations on cells: tetrahedra as points, a set of cut triples, brute force. It
-// knows no dart and no row: two faces are glued exactly when they have three points that are not cut.
+// knows no dart and no row: two faces are glued exactly when they have three points that are not
+// cut.
 #pragma once
 
 #include <array>
@@ -26,16 +27,16 @@ suite::GlueTwin glued(const CellTwin& twin);
 /// glued faces.
 std::vector<std::array<std::uint32_t, 6>> edge_classes(const CellTwin& twin);
 
-/// All edges that are to be divided when those of `cells` are: every tetrahedron ends with none, one,
-/// two, those of a face, or all.
+/// All edges that are to be divided when those of `cells` are: every tetrahedron ends with none,
+/// one, two, those of a face, or all.
 std::set<std::uint32_t> closed_edges(const std::vector<std::array<std::uint32_t, 6>>& classes,
                                      const std::vector<std::size_t>& cells);
 
 /// Names of new points by the two points that they lie between.
 using MiddleNames = std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t>;
 
-/// Divides the classes `edges`; false when a name is missing. `inner`: edges that the map has now, which
-/// tell the one of three inside each tetrahedron that becomes eight.
+/// Divides the classes `edges`; false when a name is missing. `inner`: edges that the map has now,
+/// which show the one of three inside each tetrahedron that becomes eight.
 bool divide(CellTwin& twin, const std::set<std::uint32_t>& edges, const MiddleNames& names,
             const std::set<std::pair<std::uint32_t, std::uint32_t>>& inner);
 

@@ -165,7 +165,7 @@ TEST_CASE("two levels and a cut of a file: faces of triangles are faces of tetra
   VolumeMap map = map_of(mesh);
   std::vector<CellEdit> edits;
   for (RefinedLevel& level :
-       refine(map, 2, [](const VolumeMap&m, TetId t, TetId) {  // red, and green beside it
+       refine(map, 2, [](const VolumeMap&m, TetId t, TetId) {  // red, and green next to it
          return m.point(m.corners(t)[0])[2] + m.point(m.corners(t)[3])[2] > 0.7;
        })) {
     edits.push_back(std::move(level.edit));

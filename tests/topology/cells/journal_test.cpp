@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a journal holds, forgets and refuses; that bytes come back is random_cells_test's.
+// Contents of a journal, forgotten and refused steps; random_cells_test checks that bytes come
+// back.
 #include "topology/cells/journal.hpp"
 
 #include <set>

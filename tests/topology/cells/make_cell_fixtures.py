@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Writes data/cell_fixtures.json: operations on cells of bodies of meshes/suite, and what has to come out.
+"""Writes data/cell_fixtures.json: operations on cells of bodies of meshes/suite, and their results.
 
     python3 tests/topology/cells/make_cell_fixtures.py > tests/topology/cells/data/cell_fixtures.json
 
@@ -48,7 +48,7 @@ def rank(columns):
 
 
 class Body:
-    """Points by name; `cells` as tuples of names; `cut`: triples whose two sides are apart."""
+    """Points by name; `cells` as tuples of names; `cut`: triples with two separate sides."""
 
     def __init__(self, points, cells):
         self.points = dict(enumerate(tuple(map(float, p)) for p in points))

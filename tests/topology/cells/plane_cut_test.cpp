@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Cuts by planes whose sections are known.
+// Cuts by planes with known sections.
 #include "topology/cells/plane_cut.hpp"
 
 #include <algorithm>
@@ -70,7 +70,7 @@ Halves cut(VolumeMap& map, const CuttingPlane& plane) {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-/// What a plane meets of a body, point by point and edge by edge.
+/// The section of a plane with a body, point by point and edge by edge.
 struct Met {
   std::vector<double> at;  // of each of the file's points; 0 in the plane
   std::set<std::pair<std::uint32_t, std::uint32_t>> divided;
@@ -153,7 +153,7 @@ TEST_CASE("a cube cut by planes: areas and volumes as geometry has them", "[topo
       {{{1, 1, 1}, 2.75}, std::sqrt(3.0) / 2 / 16, 1.0 / 384, 2},  // a corner
       {{{1, -1, 0}, 0}, std::sqrt(2.0), 0.5, 2},                   // through two edges
       {{{0, 0, 2}, 2}, 0, 0, 1},                                   // a side of the cube
-      {{{0, 0, 1}, 7}, 0, 0, 1}};                                  // beside it
+      {{{0, 0, 1}, 7}, 0, 0, 1}};                                  // off it
   for (const Case& c : cases) {
     for (const MapKernel kernel : {MapKernel::dense, MapKernel::lcc}) {
       VolumeMap map = built(kuhn_box({2, 2, 2}, 0.5));
@@ -267,7 +267,7 @@ TEST_CASE("planes at any tolerance: what lies in them, what they divide, and the
         plane.offset += plane.normal[i] * x[i];
         size += 2 * std::abs(plane.normal[i] * x[i]);
       }
-      // Through a point, some roundings beside it, or anywhere near.
+      // Through a point, some roundings off it, or anywhere near.
       const std::size_t which = below(random, 3);
       if (which == 1) plane.offset += 40 * (unit(random) - 0.5) * epsilon * size;
       if (which == 2) plane.offset += (unit(random) - 0.5) * cell;

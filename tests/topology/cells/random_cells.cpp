@@ -23,7 +23,7 @@ namespace {
 using suite::below;
 using suite::unit;
 
-/// What goes along with a body: by every rule one column.
+/// Columns that go along with a body: one for every rule.
 struct Columns {
   std::vector<double> volume;          // share
   std::vector<std::uint32_t> label;    // copy: the tetrahedron of the beginning
@@ -107,7 +107,7 @@ class Trial {
     if (!holds) throw std::runtime_error(what);
   }
 
-  /// The twin as the map's tetrahedra stand; what is cut it knows itself.
+  /// Sets the twin's tetrahedra to those of the map; it keeps its own knowledge of cut faces.
   void follow_rows() {
     twin_.tetrahedra.clear();
     for (const auto& corners : darts_.corners()) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Random operations on cells of random bodies, on both kernels, each held against the laws and the twin.
+// Random operations on cells of random bodies, on both kernels, each checked by laws and the twin.
 #pragma once
 
 #include <cstdint>
@@ -20,20 +20,20 @@ struct CellMoment {
   const Counts& counts;
 };
 
-/// Looks at a moment; gives what is wrong, nothing when all is well.
+/// Looks at a moment; gives the fault found, nothing when all is well.
 using CellWatch = std::function<std::string(const CellMoment&)>;
 
 struct RandomCells {
-  /// What was wrong first, empty when nothing was.
+  /// The first fault, empty when there was none.
   std::string failure;
   std::size_t inserted = 0, refined = 0, cut = 0, splits = 0, undone = 0, redone = 0;
   std::size_t comparisons = 0;
 };
 
-/// At least `operations`, what is undone and done again not counted, over ten bodies. After each: rows of both kernels equal, darts equal to rows,
-/// the tetrahedra and all cells as the twin has them, Euler characteristic and Betti numbers as before
-/// (but of splits), volumes, columns by every rule, and rows as they were after undoing; and what
-/// `watch` says of it.
+/// At least `operations`, not counting those undone and done again, over ten bodies. After each:
+/// rows of both kernels equal, darts equal to rows, the tetrahedra and all cells as the twin has
+/// them, Euler characteristic and Betti numbers as before (except after splits), volumes, columns
+/// by every rule, and rows as they were after undoing; and the faults that `watch` finds.
 RandomCells random_cells(std::size_t operations, std::uint64_t seed, const CellWatch& watch = {});
 
 }  // namespace sunder::test

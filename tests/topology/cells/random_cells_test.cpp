@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A short run of what `sunder_random_cells 100000 1` does at length.
+// A short run of the checks that `sunder_random_cells 100000 1` makes at length.
 #include "tests/topology/cells/random_cells.hpp"
 
 #include <catch2/catch.hpp>

@@ -26,7 +26,7 @@ Corners corners_of(const VolumeMap& map, TetId t) {
   return x;
 }
 
-/// What a tetrahedron's shape is told by, whatever its size, place and turn: its six squared edges
+/// A number for a tetrahedron's shape, whatever its size, place and turn: its six squared edges
 /// over the longest, by corners in all orders the least, rounded.
 std::vector<long> shape_of(const Corners& x) {
   std::array<std::size_t, 4> order = {0, 1, 2, 3};
@@ -246,7 +246,7 @@ TEST_CASE("levels made anew leave nothing of what was tried", "[topology][cells]
   });
   REQUIRE(done.size() == 3);
   CHECK(check(map).empty());
-  std::size_t appended = before[3];  // what the levels say is what is there
+  std::size_t appended = before[3];  // the levels list all cells that are there
   for (const RefinedLevel& level : done) {
     for (const ChildCell& cell : level.edit.cells) appended += cell.tetrahedron != cell.parent;
   }
@@ -264,11 +264,11 @@ TEST_CASE("what only the try divided that had to be made anew is whole again",
   for (const MapKernel kernel : {MapKernel::dense, MapKernel::lcc}) {
     VolumeMap map = whole;
     map.set_kernel(kernel);
-    // First one end is wanted, then a green one beside it and the other end, which was left alone.
+    // First one end is wanted, then a green one next to it and the other end, which was left alone.
     bool tried = false;
     std::size_t asked = 0;
     const auto levels = refine(map, 2, [&](const VolumeMap& m, TetId t, TetId of) {
-      REQUIRE(++asked < 100 * n);  // what is not taken back is tried for ever
+      REQUIRE(++asked < 100 * n);  // a cell that is not taken back is tried for ever
       if (m.tetrahedra() == n) return t == TetId{0};
       if (tried) return false;
       const bool is_green = of != TetId{0} && t.index() >= n;

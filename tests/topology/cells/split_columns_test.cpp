@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Columns of one's own through split faces, by the rules copy and share, held against what the map
-// itself says.
+// Columns of one's own through split faces, by the rules copy and share, compared with the map's
+// own answers.
 #include "topology/cells/columns.hpp"
 
 #include <numeric>
@@ -14,7 +14,7 @@ using namespace sunder::test;
 
 namespace {
 
-/// A quarter of the rest volume of every tetrahedron at each vertex, counted anew.
+/// A quarter of the rest volume of every tetrahedron at each vertex, counted again.
 std::vector<double> volume_at_vertices(const VolumeMap& map) {
   std::vector<double> volume(map.vertices(), 0);
   for (const auto& corners : map.corners()) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Edges divided: what comes of known bodies, and what the operation promises.
+// Edges divided: results for known bodies, and the guarantees of the operation.
 #include "topology/cells/subdivide.hpp"
 
 #include <algorithm>
@@ -57,7 +57,7 @@ Eight eight_of(const std::array<Point, 4>& corners, const std::array<double, 6>&
 /// Pairs of opposite edges in the order in which they are asked.
 constexpr std::array<std::array<int, 4>, 3> turns = {{{0, 2, 1, 3}, {0, 3, 1, 2}, {0, 1, 2, 3}}};
 
-/// The pair whose middles are joined inside.
+/// The pair with middles that are joined inside.
 std::size_t turn_of(const Eight& eight) {
   for (std::size_t turn = 0; turn < 3; ++turn) {
     const auto& [a, b, c, d] = turns[turn];
@@ -215,7 +215,7 @@ TEST_CASE("of three edges inside the best one, wherever edges are divided", "[to
 
 TEST_CASE("the edge inside that its corners tell, where none is better", "[topology][cells]") {
   const std::array<double, 6> middles = {0.5, 0.5, 0.5, 0.5, 0.5, 0.5};
-  // A regular one, exactly and by less than what counts as better; and a flat one.
+  // A regular one, exact and off by less than a significant difference; and a flat one.
   for (const double shift : {0.0, 1e-12, -1e-12}) {
     for (std::size_t i = 0; i < 4; ++i) {
       std::array<Point, 4> corners = {{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}};

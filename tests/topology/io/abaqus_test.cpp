@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Abaqus' input: files of gmsh, meshio and CalculiX, sets and sections, what we write.
+// Abaqus' input: files of gmsh, meshio and CalculiX, sets and sections, our own files.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <fstream>
@@ -200,7 +200,7 @@ TEST_CASE("what is written has words for regions and keeps their numbers beside"
   Result<FileMesh> back = read_file_mesh(path);
   REQUIRE(back);
   CHECK(*back == mesh);
-  // Without the list beside the words are the names.
+  // Without the separate list the words are the names.
   std::filesystem::remove(folder.path() / "m.inp.regions");
   back = read_file_mesh(path);
   REQUIRE(back);

@@ -26,7 +26,7 @@ void check_surface(const std::string& bytes) {
   }
 }
 
-/// A value that keeps its promise, or an error that says what, where and what to do.
+/// A value that keeps its promise, or an error with its cause, place and remedy.
 void check_answer(const Result<TetMesh>& mesh) {
   if (mesh) {
     CHECK_FALSE(has_error(mesh.findings));

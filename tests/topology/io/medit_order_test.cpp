@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// MEDIT's cells of second order: where their nodes are, as sections such as HexahedraQ2Ordering say.
+// MEDIT's cells of second order: where their nodes are, as sections such as HexahedraQ2Ordering
+// say.
 #include "topology/io/medit/medit_order.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// MSH 2.2, 4.0 and 4.1, text and binary: Gmsh's and meshio's files, what is carried, and the way
-// back.
+// MSH 2.2, 4.0 and 4.1, text and binary: Gmsh's and meshio's files, the contents carried, and the
+// way back.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <set>
@@ -197,7 +197,7 @@ TEST_CASE("partitions of MSH 2.2 are a column, ghosts are reported", "[io][msh]"
 
 namespace {
 
-/// A binary MSH 4.1 file of one tetrahedron in a partition, whose sizes are of the type `Size`.
+/// A binary MSH 4.1 file of one tetrahedron in a partition, with sizes of the type `Size`.
 template <class Size>
 std::string binary_41(bool is_swapped) {
   std::string text = "$MeshFormat\n4.1 1 " + std::to_string(sizeof(Size)) + "\n";

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Nastran's bulk data: files of gmsh and meshio, the kinds of fields, what is refused, what is
-// kept.
+// Nastran's bulk data: files of gmsh and meshio, the kinds of fields, refused and kept contents.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -230,7 +229,7 @@ TEST_CASE("Nastran's coordinates have sixteen characters, and what they lose is 
     CHECK(back->points[1][k] == Approx(mesh.points[1][k]).epsilon(1e-9));
   }
   CHECK(back->tetrahedra == mesh.tetrahedra);
-  CHECK(back->region_name == mesh.region_name);  // beside
+  CHECK(back->region_name == mesh.region_name);  // from the separate list
   // A second time nothing is lost.
   CHECK(std::ranges::none_of(write_file_mesh(path, *back),
                              [](const Finding& f) { return f.severity != Severity::note; }));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Cells of every kind and order through every format, version and encoding, and from each to each:
-// whole, or told.
+// whole, or reported.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <numeric>
@@ -97,7 +97,7 @@ FileMesh mixed_mesh(Random& random) {
   return mesh;
 }
 
-/// What is left of a mesh in a format, kinds by our own table.
+/// The rest of a mesh in a format, kinds by our own table.
 FileMesh held(FileMesh mesh, const Variant& variant) {
   const FormatTraits& t = *variant.traits;
   const bool is_stl = t.format == MeshFormat::stl, is_msh = t.format == MeshFormat::msh;
@@ -152,7 +152,7 @@ bool same_values(const std::vector<double>& a, const std::vector<double>& b) {
   return std::ranges::equal(a, b, [](double x, double y) { return x == y || (x != x && y != y); });
 }
 
-/// What differs first; empty where nothing does. Not-a-number is equal to itself.
+/// The first difference; empty when there is none. Not-a-number is equal to itself.
 std::string difference(const FileMesh& a, const FileMesh& b) {
   if (a.points != b.points) return "points";
   if (a.point_data != b.point_data) return "data of points";
@@ -228,7 +228,7 @@ TEST_CASE("cells of every kind come back in every bit from formats that have the
       if (!any_loss) CHECK(difference(mesh, *trip.back).empty());
       if (variant.traits->format == MeshFormat::stl) continue;  // points are those of facets
       CHECK(difference(held(mesh, variant), *trip.back).empty());
-      // What is left goes through whole, and nothing is told.
+      // The rest goes through whole, and nothing is reported.
       const Trip again = through(*trip.back, variant);
       REQUIRE(again.back);
       CHECK(difference(*trip.back, *again.back).empty());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// OpenVolumeMesh's text: its half-edges and half-faces, properties, what is left out; defects.
+// OpenVolumeMesh's text: its half-edges and half-faces, properties, omitted contents; defects.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <random>

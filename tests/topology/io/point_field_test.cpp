@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Fields with one number a point: what is read, and what is refused with its line.
+// Fields with one number per point: accepted files, and refused ones with the faulty line.
 #include <unistd.h>
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -39,7 +39,7 @@ TEST_CASE("VTK's own PolyData are read alike from every kind of file", "[io][vtk
   CHECK(mesh->vertices.region == Rows{10, 11, 11});
   CHECK(mesh->edges.corners == decltype(mesh->edges.corners){{0, 1}, {1, 2}, {2, 3}});
   CHECK(mesh->edges.region == Rows{12, 13, 13});
-  // Two triangles, two of a strip whose second is turned, one of another.
+  // Two triangles, two of a strip with the second one turned, one of another.
   CHECK(mesh->triangles.corners == decltype(mesh->triangles.corners){
                                        {0, 1, 4}, {1, 5, 4}, {7, 6, 11}, {11, 6, 10}, {8, 4, 9}});
   CHECK(mesh->triangles.region == Rows{14, 15, 18, 18, 19});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Files as people write them: what no format's description asks for, and every reader meets.
+// Files as people write them: features that no format description requires and every reader meets.
 #include <algorithm>
 #include <catch2/catch.hpp>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A mesh with everything in it through every format, version and encoding: what a format holds
-// comes back in every bit, what it does not hold was announced.
+// A mesh with everything in it through every format, version and encoding: contents that a format
+// holds come back in every bit, all others were announced as lost.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -89,7 +89,7 @@ struct Variant {
   bool pack = false;
 };
 
-/// What is left of `mesh` in a format.
+/// The rest of `mesh` in a format.
 FileMesh held(FileMesh mesh, const Variant& variant) {
   const FormatTraits& t = *variant.traits;
   const std::string& version = variant.version;
@@ -169,7 +169,7 @@ TEST_CASE("a name that ends with .meshb is written as binary MEDIT", "[io][medit
 
 namespace {
 
-/// Writes `mesh` as `variant` and reads it again; nothing is lost beyond what was told.
+/// Writes `mesh` as `variant` and reads it again; nothing is lost beyond the announced losses.
 FileMesh through(const FileMesh& mesh, const Variant& variant) {
   const Folder folder;
   const auto path = folder.path() / ("mesh" + std::string(variant.traits->extensions[0]));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Formats of surfaces: what other programs wrote, the boundary of a body, what is lost on the way.
+// Formats of surfaces: files of other programs, the boundary of a body, losses on the way.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstring>

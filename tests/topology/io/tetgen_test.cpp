@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// TetGen's files: those of TetGen and meshio, which file may be named, data and markers, what is
-// left of an earlier mesh.
+// TetGen's files: those of TetGen and meshio, which file may be named, data and markers, the
+// remains of an earlier mesh.
 #include <zlib.h>
 
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Universal files: gmsh's, the data sets of others, groups as regions, what is refused.
+// Universal files: gmsh's, the data sets of others, groups as regions, refusals.
 #include <algorithm>
 #include <catch2/catch.hpp>
 
@@ -219,7 +219,7 @@ TEST_CASE("regions, numbers and names come back from a universal file", "[io][un
   mesh.region_name[2] = {{6, "out let, 1"}};
   REQUIRE(write_file_mesh(path, mesh).empty());
   CHECK(*read_file_mesh(path) == mesh);
-  // Names that a group cannot have are told.
+  // Names that a group cannot have are reported.
   mesh.region_name[2] = {{6, "-1"}, {5, "of none"}};
   const std::vector<Finding> told = write_file_mesh(path, mesh);
   REQUIRE(told.size() == 1);

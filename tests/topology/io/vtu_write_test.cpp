@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Writing VTU frames with columns, PVD lists, and what a format cannot hold.
+// Writing VTU frames with columns, PVD lists, and the losses of a format.
 #include <algorithm>
 #include <catch2/catch.hpp>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which side keeps its rows, what a copy inherits, and that gluing restores what splitting changed.
+// Which side keeps its rows, what a copy inherits, and gluing as the inverse of splitting.
 #include <algorithm>
 
 #include "tests/support/built.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every rule that `check` holds the darts of a map against, broken alone: its words, how often,
+// Every rule of `check` about the darts of a map, broken alone: its words, how often,
 // where.
 #include <memory>
 
@@ -265,7 +265,8 @@ TEST_CASE("of two vertices that changed a dart for one of the other, each is tol
       if (star(whole, VertexId{v}).size() == star(whole, VertexId{u}).size()) continue;
       VolumeMap map = whole;
       auto& darts = const_cast<DartMap&>(map.darts());
-      // Attributes have as many darts as before: what differs is seen from the dart that is asked.
+      // Attributes have as many darts as before: the difference is seen from the dart that is
+      // asked.
       const auto asked = [&](std::size_t vertex) {
         const TetId t = map.incident_tetrahedron(VertexId{vertex});
         const int place = place_of_vertex(map.corners(t), VertexId{vertex});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every rule that `check` holds the rows of a map against, broken alone: its words, how often, where.
+// Every rule of `check` about the rows of a map, broken alone: its words, how often, where.
 #include "tests/topology/kernel/map_damage.hpp"
 
 using namespace sunder;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Labels of components after random changes of random bodies, held against a twin that floods the
-// body anew and gives ids by the rule alone.
+// Labels of components after random changes of random bodies, compared with a twin that floods the
+// body again and gives ids by the rule alone.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <map>
@@ -74,10 +74,10 @@ struct Twin {
   }
 };
 
-/// How many tetrahedra the search of an update has to look at, `label` being those before it: of
-/// each component parts grow from both sides of its suspect faces, in the order of their
-/// tetrahedra, one tetrahedron each in turn, until at most one grows (exact) or none; that one goes
-/// on to its end where what nobody closed may not be the largest part.
+/// How many tetrahedra the search of an update has to look at; `label`: the components before it.
+/// In each component, parts grow from both sides of its suspect faces, in the order of their
+/// tetrahedra. They grow by one tetrahedron each in turn, until at most one part grows (exact) or
+/// none. That one grows to its end if the rest that no part closed may not be the largest.
 std::size_t looked_at(const VolumeMap& map, std::span<const FaceSplit> splits, Detection way,
                       const std::vector<std::size_t>& label) {
   std::map<std::size_t, std::set<std::size_t>> sources;

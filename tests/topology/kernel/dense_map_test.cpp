@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The rows by themselves against the map that keeps darts beside them, split and glued at random.
+// The rows by themselves against the map that keeps darts too, split and glued at random.
 #include "topology/kernel/dense_map.hpp"
 
 #include <catch2/catch.hpp>

@@ -65,7 +65,7 @@ bool agree(const EdgeNodeRows& nodes, const VolumeMap& map) {
 
 using Told = std::vector<std::pair<std::string, std::int64_t>>;
 
-/// What `check` has to tell, in its order.
+/// The findings that `check` has to give, in its order.
 Told to_tell(const EdgeNodeRows& nodes, const VolumeMap& map) {
   const auto row_count = static_cast<std::int64_t>(nodes.size());
   if (nodes.size() != map.tetrahedra()) {
@@ -145,7 +145,7 @@ void damage(EdgeNodeRows& nodes, VolumeMap& map, std::mt19937& random) {
       if (row.index() < map.vertices() && map.is_node(row)) nodes[t][e] = map.append_node(row);
       break;
     default:
-      // What another tetrahedron has for the edge between the same points.
+      // The row that another tetrahedron has for the edge between the same points.
       for (std::size_t other = 0; other < 6; ++other) {
         if (ends_of(map, u, other) == ends_of(map, t, e)) nodes[t][e] = nodes[u][other];
       }
@@ -191,7 +191,7 @@ TEST_CASE("two tetrahedra that part have three edges each of their own", "[topol
     }
     CHECK(check(map).empty());
     CHECK(check(nodes, map).empty());
-    // A face on the boundary has no other side whose edges could be asked.
+    // A face on the boundary has no other side with edges to look at.
     const FaceSplit refused = split_face(map, split.face);
     CHECK_FALSE(refused.did);
     CHECK(split_edge_nodes(nodes, map, refused).count == 0);
@@ -223,7 +223,7 @@ TEST_CASE(
         REQUIRE(check(nodes, map).empty());
         REQUIRE(check(map).empty());
       }
-      // Apart altogether: four vertices and six edges a tetrahedron.
+      // Apart altogether: four vertices and six edges per tetrahedron.
       CHECK(map.vertices() == 10 * map.tetrahedra());
       while (!splits.empty()) {
         join_edge_nodes(nodes, map, splits.back().face, splits.back().opposite);
@@ -300,8 +300,7 @@ TEST_CASE("damaged rows of edges are told", "[topology][edge_nodes]") {
   nodes = whole;
   std::swap(nodes[0][0], nodes[0][1]);
   CHECK(text(nodes) == "the row of an edge is not at its middle");
-  // The row that another edge at the same place has: what a split leaves behind that no row
-  // followed.
+  // One row for two edges at the same place: the state after a split that the rows did not follow.
   VolumeMap two = built(two_tetrahedra());
   EdgeNodeRows rows;
   append_edge_nodes(rows, two, TetId{0}, TetId{2});

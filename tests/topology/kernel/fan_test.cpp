@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Fans at a vertex, sections of a plane, the order of their faces, and what is not a plane.
+// Fans at a vertex, sections of a plane, the order of their faces, and normals without a plane.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -222,8 +222,8 @@ TEST_CASE("the paper's order puts faces with an edge on the surface first, crack
   CHECK(fan == given);
   order_faces(map, FaceOrder::paper, fan);
   CHECK(fan == given);  // deep inside: no face has an edge on the surface, the order stands
-  // One cracked face beside the last face of the fan: their common edge is surface now, and with it
-  // every face of the fan that has it.
+  // One cracked face next to the last face of the fan: their common edge is surface now, and with
+  // it every face of the fan that has it.
   const HalfFaceId last = given.back();
   const TetId t = tetrahedron_of(last);
   int q = 0;

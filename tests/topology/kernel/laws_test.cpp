@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The laws a face split obeys, on every shape; and that the checks notice what breaks them.
+// The laws of a face split, on every shape; and the checks, which notice violations.
 #include <set>
 
 #include "tests/support/built.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the tests of `check` say of a damaged map.
+// The findings of `check` about a damaged map, for its tests.
 #pragma once
 
 #include <algorithm>

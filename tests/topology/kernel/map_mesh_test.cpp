@@ -24,8 +24,8 @@ TEST_CASE("a split map written with its vertices reads back as the same map",
   for (const NamedMesh& shape : all_shapes()) {
     INFO(shape.name);
     VolumeMap map = built(shape.mesh);
-    // Whole sections: every face whose tetrahedra differ in a random sign, so that no crack face
-    // keeps all three of its vertices.
+    // Whole sections: every face between tetrahedra of different random signs, so that no crack
+    // face keeps all three of its vertices.
     std::vector<char> side(map.tetrahedra());
     for (char& s : side) s = static_cast<char>(below(random, 2));
     for (const HalfFaceId f : interior_faces(map)) {
@@ -36,7 +36,7 @@ TEST_CASE("a split map written with its vertices reads back as the same map",
     CHECK(again.reoriented().empty());
     const Counts a = count_cells(map), b = count_cells(again);
     CHECK(a.vertices == b.vertices);
-    // A boundary face whose points are those of another is sewn again: the file cannot tell.
+    // A boundary face with the points of another is sewn again: the file cannot keep them apart.
     std::size_t lost = 0;
     for (std::size_t i = 0; i < 4 * map.tetrahedra(); ++i) {
       const HalfFaceId f{i};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The table of what a face split can change, held against what the exact sequence leaves.
+// The table of changes by a face split, compared with those that the exact sequence allows.
 #include "tests/support/built.hpp"
 
 using namespace sunder;
@@ -9,8 +9,8 @@ namespace {
 
 /// Whether a split of s_v vertices and s_e edges can change the Betti numbers by `d`, which Euler's
 /// formula bounds: d0 - d1 + d2 = s_v - s_e + 1. The old body is the new one with the two copies of
-/// the triangle glued; what they share before that is S, the triangle's boundary less s_v vertices
-/// and s_e edges: a circle, some parts, or nothing [Mayer-Vietoris].
+/// the triangle glued. Before that they share S, the triangle's boundary less s_v vertices and s_e
+/// edges: a circle, some parts, or nothing [Mayer-Vietoris].
 bool can_change(int s_v, int s_e, const Betti& d) {
   if (d[0] - d[1] + d[2] != s_v - s_e + 1) return false;
   const int parts = s_e == 0 ? 1 : s_e - s_v, loops = s_e == 0 ? 1 : 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a map tells beside its cells: how far a split looked, bytes, errors of fans, retired rows.
+// Answers of a map besides its cells: how far a split looked, bytes, errors of fans, retired rows.
 #include "tests/support/built.hpp"
 
 using namespace sunder;
@@ -55,7 +55,7 @@ std::size_t met_in_star(const VolumeMap& map, std::uint32_t point, const FaceSpl
   return sides[0].size() + sides[1].size();
 }
 
-/// Splits a face and holds what it says it looked at against the twins.
+/// Splits a face and compares the count of visited tetrahedra with the twins.
 FaceSplit split_and_count(VolumeMap& map, HalfFaceId face) {
   const VolumeMap before = map;
   const FaceSplit split = split_face(map, face);
@@ -103,8 +103,8 @@ TEST_CASE("stars of hundreds are searched from their small and from their large 
       if (is_large != passes_large) face = map.neighbour(face);
       const FaceSplit split = split_and_count(map, face);
       CHECK(split.vertex_count == 3);
-      // Beside the walk round the axis it costs what the one does, where the others keep their
-      // rows.
+      // If the others keep their rows, the cost is the walk round the axis and that of the one
+      // tetrahedron.
       if (passes_large) CHECK(split.visited < k + 20);
       CHECK(star(map, VertexId{0}).size() == (passes_large ? k - 1 : 1));
       CHECK(check(map).empty());
@@ -194,7 +194,7 @@ TEST_CASE("bytes of a map are those of its columns", "[topology][volume_map]") {
   CHECK(both.handles >= 8 * map.tetrahedra() + 4 * map.vertices());
   CHECK(both.handles < 16 * map.tetrahedra() + 8 * map.vertices());
   CHECK(total(both) == both.darts + both.attributes + both.handles + total(dense));
-  // Asked once more for what it has, it keeps it.
+  // A map that already has the requested kernel keeps it.
   const DartMap* darts = &map.darts();
   map.set_kernel(MapKernel::lcc);
   CHECK(&map.darts() == darts);

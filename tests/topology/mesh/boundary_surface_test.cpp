@@ -80,7 +80,7 @@ std::size_t keep(CellList<N>& to, const CellList<N>& cells,
   return cells.corners.size() - to.corners.size();
 }
 
-/// What boundary_surface promises, said once more.
+/// A second implementation of boundary_surface.
 BoundarySurface expected_of(const FileMesh& mesh) {
   BoundarySurface s;
   s.mesh.region_name = mesh.region_name;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a map remembers of the file's order of corners.
+// The file's order of corners, as a map remembers it.
 #include "topology/mesh/build_map.hpp"
 
 #include <algorithm>
@@ -12,8 +12,8 @@ using namespace sunder::test;
 
 namespace {
 
-/// The tetrahedra whose corners 2 and 3 are in the map what they are not in the file; the others
-/// must have all corners in their places.
+/// The tetrahedra with corners 2 and 3 exchanged in the map against the file; the others must have
+/// all corners in their places.
 std::vector<TetId> exchanged(const VolumeMap& map, const TetMesh& file) {
   std::vector<TetId> rows;
   for (std::size_t t = 0; t < map.tetrahedra(); ++t) {

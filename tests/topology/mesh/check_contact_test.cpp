@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Vertices that hang, points that miss each other, faces in one place: planted ones, and every pair
-// held against every other.
+// compared with every other.
 #include <cmath>
 #include <map>
 #include <set>
@@ -25,7 +25,7 @@ std::size_t count_of(const Findings& findings, const std::string& code) {
   return 0;
 }
 
-/// A box beside another one of half its cells' size: 4 coarse squares meet 16 fine ones.
+/// A box next to another one of half its cells' size: 4 coarse squares meet 16 fine ones.
 TetMesh coarse_beside_fine() {
   TetMesh fine = kuhn_box({4, 4, 4}, 0.5);
   for (Point& p : fine.points) p[0] += 2;
@@ -76,7 +76,7 @@ double distance(const Point& a, const Point& b) { return std::sqrt(dot(minus(a, 
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// What a check should find, from every boundary face held against every boundary point.
+/// The expected findings of a check, by comparing every boundary face with every boundary point.
 struct Twin {
   std::set<std::uint32_t> hanging, close;
   std::set<Triangle> hung_in;

@@ -12,7 +12,7 @@ using namespace sunder::test;
 
 namespace {
 
-/// Counts of the check, held against the map's: equal in every member, the volume to the bit.
+/// Counts of the check, compared with the map's: equal in every member, the volume to the bit.
 void hold_counts(const TetMesh& mesh) {
   const MeshCheck checked = check_file_mesh(file_mesh_of(mesh));
   const Result<VolumeMap> map = build_map(mesh, Severity::warning);
@@ -27,7 +27,7 @@ void hold_counts(const TetMesh& mesh) {
   REQUIRE(fast.betti == (is_in_space ? slow.betti : std::nullopt));
 }
 
-/// Points that some vertex orbit of the map has whose boundary is more than one circle of faces.
+/// Points with a vertex orbit in the map that is bounded by more than one circle of faces.
 std::set<std::uint32_t> touching_points(const VolumeMap& map) {
   const std::size_t darts = 12 * map.tetrahedra();
   std::vector<char> met(darts, 0);

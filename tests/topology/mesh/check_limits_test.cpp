@@ -113,7 +113,7 @@ TEST_CASE("a point just as far from a tilted face as the tolerance hangs",
       const Four t = {{{1, 1, 3}, {0, 0, 0}, far, wide}};
       const double longest = std::max(width, detail::length(detail::difference(wide, far)));
       for (const double along : {0.25, 1.0}) {
-        // Four fifths of what it lies lower.
+        // Four fifths of the distance by which it lies lower.
         const double lower = 1.25 * (contact_tolerance * longest);
         CHECK(contact(t, {along, 0, -lower}, -0x1p-4) == hangs);
         CHECK(contact(t, {along, 0, -lower * (1 + 1e-9)}, -0x1p-4) == nothing);
@@ -159,7 +159,7 @@ TEST_CASE("two tetrahedra in one place have four faces there, three at one face 
 
 TEST_CASE("contact is what it is without tetrahedra of which a coordinate is no number",
           "[topology][check][contact]") {
-  // A tip upon a face, one beside a corner, and two tetrahedra in one place.
+  // A tip upon a face, one next to a corner, and two tetrahedra in one place.
   const Four t = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, -1}}};
   const Four other = {{{3, 0, 0}, {4, 0, 0}, {3, 1, 0}, {3, 0, 1}}};
   const TetMesh good = apart({t, above({0.25, 0.25, 0}), above({0, 1, 1e-8}), other, other});

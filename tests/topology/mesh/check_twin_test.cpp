@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a check of a whole file says of triangles, shapes and places, held against slow definitions.
+// Triangles, shapes and places by a check of a whole file, compared with slow definitions.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -177,7 +177,7 @@ TEST_CASE("bad volumes are errors of a file that leave its cells counted, withou
   MeshCheck flat = check_file_mesh(mesh);
   CHECK(finding(flat.findings, "flat_tetrahedron").severity == Severity::error);
   CHECK_FALSE(flat.counts->betti.has_value());
-  // With an error of another kind nothing is counted, and the volumes are told all the same.
+  // With an error of another kind nothing is counted, and the volumes are reported all the same.
   mesh.tetrahedra.corners.push_back({0, 0, 1, 2});
   flat = check_file_mesh(mesh);
   CHECK(finding(flat.findings, "flat_tetrahedron").severity == Severity::error);
@@ -254,7 +254,7 @@ TEST_CASE("extremes of shapes are those of one tetrahedron after the other, told
     same(all->shortest_edge, least.shortest_edge);
     same(all->longest_edge, least.longest_edge);
     CHECK(all->mean_radius_ratio == least.mean_radius_ratio / static_cast<double>(n));
-    // Angles are compared by their cosines, and told by an arc tangent.
+    // Angles are compared by their cosines, and reported by an arc tangent.
     CHECK(all->smallest_dihedral.value == Approx(least.smallest_dihedral.value).margin(1e-5));
     CHECK(all->largest_dihedral.value == Approx(least.largest_dihedral.value).margin(1e-5));
   }

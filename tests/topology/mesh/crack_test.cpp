@@ -139,7 +139,7 @@ std::size_t row_count(const DataColumn& column) {
          column.components;
 }
 
-/// Opens the crack and holds it against the map's split faces and the laws.
+/// Opens the crack and compares it with the map's split faces and the laws.
 Crack checked(FileMesh& mesh, const FaceLinks& links, const CutFaces& faces) {
   const FileMesh before = mesh;
   const Crack crack = open_crack(mesh, links, faces);
@@ -197,7 +197,7 @@ TEST_CASE("random cracks part the same corners as the 3-map", "[topology][crack]
   std::mt19937 random(seed);
   for (const double share : {0.02, 0.2, 0.5, 0.9}) {
     FileMesh mesh = grid(3);
-    // Rows in another order: parts are told by the lowest row.
+    // Rows in another order: parts are identified by the lowest row.
     std::ranges::shuffle(mesh.tetrahedra.corners, random);
     const FaceLinks links = *face_links(mesh);
     CutFaces faces = all_faces(links);

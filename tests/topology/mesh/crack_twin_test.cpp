@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Cracks in careless files: which faces are cut, and what becomes of points and of cells of lower
-// dimension, against definitions by sets. What is said of regions and faces that are not there.
+// Cracks in careless files: the cut faces, and the changes of points and of cells of lower
+// dimension, against definitions by sets. Findings about missing regions and faces.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -95,7 +95,7 @@ std::map<Row, Row> parts_at(const FileMesh& mesh,
   return low;
 }
 
-/// What open_crack promises. Points of `mesh` are followed from tetrahedron to tetrahedron.
+/// The result of open_crack. Points of `mesh` are followed from tetrahedron to tetrahedron.
 struct Expected {
   FileMesh mesh;
   std::vector<std::array<Row, 2>> copies;

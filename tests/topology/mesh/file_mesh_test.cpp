@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a file holds as a mesh to compute with, and back; its counts and labels.
+// A file's contents as a mesh to compute with, and back; its counts and labels.
 #include "topology/mesh/file_mesh.hpp"
 
 #include <catch2/catch.hpp>

@@ -216,8 +216,8 @@ TEST_CASE("a flat tetrahedron is an error for those who need volumes, a warning 
 }
 
 TEST_CASE("flatness is judged against the rounding of the coordinates", "[topology][findings]") {
-  // Coplanar points whose coordinates are not exact in binary: the volume is rounding, the more of
-  // it the farther the body lies from the origin.
+  // Coplanar points with coordinates that are not exact in binary: the volume is rounding error,
+  // and grows with the body's distance from the origin.
   for (const double far : {0.0, 1e3, 1e6}) {
     TetMesh mesh = one_tetrahedron();
     mesh.points = {{0.1, 0.1, 0.3}, {1.1, 0.2, 1.4}, {0.3, 0.7, 1.3}, {}};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Ties and long runs in a survey: which way a body is turned, which copy stays, in which order
-// places are told.
+// places are reported.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <limits>
@@ -45,7 +45,7 @@ TEST_CASE("where as many volumes say one thing as the other, the lowest with a v
                    {1, 1, 0},
                    {0.25, 0.25, bit(0) ? 1.0 : -1.0},
                    {0.75, 0.75, bit(1) ? 1.0 : -1.0}};
-    // As the flat one is numbered, less what is exchanged below.
+    // As the flat one is numbered, except for the exchange below.
     std::array<Corners, 2> other = {{{0, 2, 1, 4}, {5, 2, 1, 3}}};
     std::array<int, 2> sign = {bit(0) ? -1 : 1, bit(1) ? -1 : 1};
     std::array<bool, 2> unlike = {bit(2), bit(3)};

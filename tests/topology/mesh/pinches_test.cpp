@@ -73,7 +73,7 @@ std::vector<std::uint32_t> flat(const Corners& corners) {
 }
 
 /// Splits the pinched vertices: afterwards points are vertices, as union-find has them, and every
-/// copy is what its point was. Gives the number of copies.
+/// copy has the data of its point. Gives the number of copies.
 std::size_t hold_split(const TetMesh& mesh) {
   FileMesh file = file_mesh_of(mesh);
   std::vector<double> vectors;
@@ -189,7 +189,7 @@ TEST_CASE("a vertex whose link is a closed surface but no sphere is told", "[top
   };
   CHECK(told(cone) == std::vector<std::int64_t>{7});
   CHECK(told(suspended) == std::vector<std::int64_t>{7, 8});
-  // Nothing is told of vertices round which there is a ball, or half of one.
+  // Nothing is reported of vertices inside a ball, or half of one.
   for (const TetMesh& ball : {octahedron_star(), vertex_star(64), edge_ring(64),
                               kuhn_box({2, 2, 2}), closed_simplex_boundary()}) {
     const std::vector<std::string> found = codes(check_file_mesh(file_mesh_of(ball)).findings);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Shapes at the limits of numbers: needles, faces whose areas vanish, volumes without a number.
+// Shapes at the limits of numbers: needles, faces with vanishing areas, volumes without a number.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -36,7 +36,7 @@ Wide difference(const Point& a, const Point& b) {
           static_cast<long double>(a[2]) - b[2]};
 }
 
-/// From corner `from`: no digits are lost where another one is beside it.
+/// From corner `from`: no digits are lost where another one is next to it.
 double volume_of(const Corners& x, std::size_t from) {
   const Wide a = difference(x[(from + 1) % 4], x[from]), b = difference(x[(from + 2) % 4], x[from]),
              c = difference(x[(from + 3) % 4], x[from]);
@@ -59,8 +59,8 @@ double shortest_of(const Corners& x) {
 }  // namespace
 
 TEST_CASE("needles have their volume and their shortest edge", "[topology][quality]") {
-  // One corner beside another, at a billionth of the length: what the formulas take from each other
-  // decides how many digits are left. Here all are.
+  // One corner next to another, at a billionth of the length: cancellation in the formulas decides
+  // how many digits are left. Here all are.
   std::mt19937_64 random(8);
   for (int trial = 0; trial < 60; ++trial) {
     Corners x{};

@@ -30,7 +30,7 @@ void take(std::vector<DataColumn>& data, const Rows& rows) {
   for (auto& c : data) std::visit([&](auto& v) { take(v, rows, c.components); }, c.values);
 }
 
-/// Points `rows` of `mesh`; corners become what `new_row` says. Nothing where all rows stay.
+/// Points `rows` of `mesh`; corners are renumbered by `new_row`. Nothing where all rows stay.
 void take_points(FileMesh& mesh, const Rows& rows, const std::vector<std::uint32_t>& new_row) {
   if (rows.size() == mesh.points.size()) return;
   if (mesh.source_point_id.empty()) {

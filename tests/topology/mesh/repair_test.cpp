@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Repairs: what each changes, what it leaves, and that a mesh without the fault stays as it is.
+// Repairs: their changes, the kept rest, and meshes without the fault, which stay as they are.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <limits>
@@ -33,7 +33,7 @@ bool has(const FileMesh& mesh, const std::string& code) {
   return std::ranges::find(findings, code, &Finding::code) != findings.end();
 }
 
-/// `count` copies of the body beside each other, touching nowhere.
+/// `count` copies of the body next to each other, touching nowhere.
 FileMesh several(std::size_t count) {
   FileMesh mesh = file_mesh_of(two_tetrahedra());
   const FileMesh one = mesh;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Cells that get nodes in the middles of their edges, and curved ones that are told.
+// Cells get nodes in the middles of their edges, and curved ones are reported.
 #include <catch2/catch.hpp>
 
 #include <cmath>
@@ -33,7 +33,7 @@ FileMesh some_cells() {
   return mesh;
 }
 
-/// The pairs of corners that edges of cells of first order join, told by their distances alone: a
+/// The pairs of corners that edges of cells of first order join, found by their distances alone: a
 /// node is the middle of its edge.
 std::set<std::pair<std::uint32_t, std::uint32_t>> edges_in(const FileMesh& mesh) {
   std::set<std::pair<std::uint32_t, std::uint32_t>> edges;

@@ -178,7 +178,7 @@ TEST_CASE("concave, bent and collapsed cells are counted", "[mesh][split]") {
       one_cell(CellKind::polygon, {{1, 0, 0}, {2, 1, 0}, {1, 2, 0.5}, {0, 1.5, 0}, {0, 0.5, 0}},
                {0, 1, 2, 3, 4});
   CHECK(split_cells(bent).bent_polygons == 1);
-  // A hexahedron whose upper face is one edge: a prism lying down.
+  // A hexahedron with an upper face collapsed to an edge: a prism lying down.
   FileMesh collapsed = one_cell(
       CellKind::hexahedron8, {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0.5, 1}, {1, 0.5, 1}},
       {0, 1, 2, 3, 4, 5, 5, 4});

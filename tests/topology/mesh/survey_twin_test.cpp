@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// All that a survey finds in careless meshes and in heaps of random tetrahedra, held against the
+// All findings of a survey in careless meshes and in heaps of random tetrahedra, compared with the
 // definitions: sets of points, and orbits by repeated union.
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -272,7 +272,7 @@ struct Twin {
     }
   }
 
-  /// Of a file's check: vertices whose link is neither a disc nor a sphere.
+  /// Of a file's check: vertices with a link that is neither a disc nor a sphere.
   std::vector<Row> touching() const {
     std::vector<std::size_t> triangles(point_of_row.size(), 0), rim(point_of_row.size(), 0);
     for (std::size_t t = 0; t < rows.size(); ++t) {

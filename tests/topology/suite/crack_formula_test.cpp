@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Breaks of labelled cracks: the union over them beside breaks one by one, and kernels that lie
+// Breaks of labelled cracks: the union over them against breaks one by one, and kernels that lie
 // about their fans or remember an order.
 #include "topology/suite/judge/crack_formula.hpp"
 

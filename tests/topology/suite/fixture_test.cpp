@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Fixture files: what is read, what is refused and where, and what is written.
+// Fixture files: reading, refusals and their places, and writing.
 #include <catch2/catch.hpp>
 
 #include <cmath>
@@ -51,7 +51,7 @@ struct FileOfOwn {
   FileOfOwn& operator=(const FileOfOwn&) = delete;
 };
 
-/// What is said of a document; all findings must name it, or the mesh it names.
+/// The findings about a document; all must name it, or the mesh it names.
 std::vector<std::string> complaints(const std::string& bytes) {
   const FileOfOwn file(bytes);
   const Result<std::vector<Fixture>> fixtures = read_fixtures(file.path);

@@ -198,7 +198,7 @@ TEST_CASE("fixture 13: cutting out a star makes one void and one separation",
   }
   REQUIRE(link.size() == 24);
   // Cut in an order in which each face after the first meets one that is cut already: the crack
-  // grows as one sheet, which is what the counts of the fixture assume.
+  // grows as one sheet, as the counts of the fixture assume.
   std::vector<HalfFaceId> order = {link.front()};
   link.erase(link.begin());
   std::size_t created = 0, predicted = 0;

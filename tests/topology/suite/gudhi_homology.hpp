@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// GUDHI as an outside oracle for homology: what it is given of a body, and its Betti numbers.
+// GUDHI as an outside oracle for homology: its input for a body, and its Betti numbers.
 #pragma once
 
 #include "topology/suite/homology/homology.hpp"

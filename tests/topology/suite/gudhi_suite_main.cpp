@@ -52,8 +52,8 @@ void compare(Report& report, const IntegerHomology& expected, const IntegerHomol
   }
 }
 
-/// What must hold at one moment. GUDHI takes the cells themselves where they are a simplicial
-/// complex, at any size, and the barycentric subdivision up to `largest` tetrahedra.
+/// Checks the conditions of one moment. GUDHI takes the cells themselves where they are a
+/// simplicial complex, at any size, and the barycentric subdivision up to `largest` tetrahedra.
 void look(Report& report, const Expected& expected, const GlueTwin& now, std::size_t largest) {
   const OrbitComplex complex = orbit_complex(now);
   const bool directly = test::is_simplicial(complex);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The judge on trial: kernels that lie about one number, fixtures that expect a wrong one, and
-// kernels whose difference is known.
+// kernels with a known difference.
 #include <catch2/catch.hpp>
 
 #include <functional>
@@ -15,13 +15,13 @@ using namespace sunder::suite;
 
 namespace {
 
-/// What has been asked of a kernel since it was loaded.
+/// The questions to a kernel since it was loaded.
 struct Asked {
   std::size_t splits = 0;
   FaceSide last;
 };
 
-/// The twin with one thing changed; `change` is told what has been asked so far.
+/// The twin with one thing changed; `change` gets the questions so far.
 JudgedKernel changed(const std::function<void(JudgedKernel&, const Asked&)>& change) {
   const auto asked = std::make_shared<Asked>();
   JudgedKernel twin = twin_kernel();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A kernel beside the twin: random splits and glues, every answer compared.
+// A kernel and the twin: random splits and glues, every answer compared.
 #pragma once
 
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The kernels that come with Sunder against the twin, and what CGAL makes of defective bodies.
+// The kernels that come with Sunder against the twin, and CGAL's results for defective bodies.
 #include <cmath>
 
 #include "tests/topology/suite/kernels_support.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Random runs: right kernels pass, each kind of wrong one is caught, and what is left of a failure
-// fails again when it is read as a fixture.
+// Random runs: right kernels pass, each kind of wrong one is caught, and the shrunk run of a
+// failure fails again when it is read as a fixture.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstdio>
@@ -387,7 +387,7 @@ TEST_CASE("every row of the table of changes is in the laws, and nothing else", 
                                            code / 125 - 2};
         if (!possible(v, e, change)) continue;
         ++rows;
-        // What the counts alone say: dchi = s_v - s_e + 1.
+        // The law from the counts alone: dchi = s_v - s_e + 1.
         const int chi = change[0] - change[1] + change[2] - change[3];
         CHECK(chi == static_cast<int>(v) - static_cast<int>(e) + 1);
       }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Regina, run as another process, beside the twin: a kernel and a homology nobody here wrote.
+// Regina, run as another process, next to the twin: an independent kernel and homology.
 #include <cstdlib>
 
 #include "tests/topology/suite/abstract_bodies.hpp"

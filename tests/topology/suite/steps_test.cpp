@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Operations as steps: the suite's own fans and sections beside the library's, orders, shrinking.
+// Operations as steps: the suite's own fans and sections next to the library's, orders, shrinking.
 #include <catch2/catch.hpp>
 
 #include <algorithm>

@@ -79,7 +79,7 @@ void read_block(AbaqusReader& r, const ElementLines& block, CellKind kind) {
                              .end = end});
 }
 
-/// Counts what is no cell; a line that ends with a comma goes on in the next.
+/// Counts elements that are not cells; a line that ends with a comma goes on in the next.
 void count_block(AbaqusReader& r, const ElementLines& block) {
   DataLines lines{.text = r.files[block.file].text, .next = block.at};
   std::size_t count = 0;

@@ -43,7 +43,7 @@ inline bool has_field(const DataLines& lines) { return lines.at < lines.line.siz
 /// The next field, without blanks around it; empty at the line's end.
 std::string_view next_field(DataLines& lines);
 
-/// A field as a number. Fails with bad_number or number_out_of_range; `what` was expected.
+/// A field as a number. Fails with bad_number or number_out_of_range, naming the expected `what`.
 std::int64_t integer_of(const DataLines& lines, std::string_view field, std::string_view what);
 double real_of(const DataLines& lines, std::string_view field, std::string_view what);
 

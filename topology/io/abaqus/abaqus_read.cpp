@@ -196,7 +196,7 @@ void begin_other(Pass& p, const Keyword& k) {
 
 void begin_keyword(Pass& p, const Keyword& k, int depth) {
   if (k.name == "include") {
-    // The lines behind go on with what stood before.
+    // The lines behind the included file continue the block before it.
     p.place.has_begun = false;
     return read_include(p, needed(p, k, "input"), k.at, depth);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Internal to the Abaqus reader: its lines, and what is kept between the passes over them. Nodes
+// Internal to the Abaqus reader: its lines, and the data kept between the passes over them. Nodes
 // and the places of everything else are read first; then the elements, when all nodes are known;
 // then the sets, when all elements are.
 #pragma once
@@ -71,7 +71,7 @@ struct NodeLines {
   std::size_t first;
 };
 
-/// What a set has: data lines behind *ELSET or *NSET, or the nodes or elements of a block.
+/// Some members of a set: data lines behind *ELSET or *NSET, or the nodes or elements of a block.
 struct SetLines {
   std::int32_t set;
   /// Of the same set, the one before; -1 for the first.
@@ -116,7 +116,7 @@ struct AbaqusReader {
 /// The set of that name, which is added if it is not there.
 std::int32_t set_called(AbaqusSets& sets, std::string_view name);
 
-/// Adds what a set has.
+/// Adds members to a set.
 void add_lines(AbaqusSets& sets, SetLines lines);
 
 /// Elements, once all nodes are there.

@@ -187,8 +187,8 @@ void warn_unknown(AbaqusReader& r, std::size_t count, std::string_view what) {
        .remedy = "nothing to do, if they were left out on purpose"});
 }
 
-/// What decides which of its sets is an element's region: a section of material names it; any
-/// other; it holds all elements, or is one of gmsh's entities.
+/// The rank by which one of its sets becomes an element's region, lowest first: sets with a section
+/// of material; others; sets that hold all elements; entities of gmsh.
 int rank_of(const AbaqusSets& sets, std::size_t set, bool holds_all) {
   if (sets.has_section[set]) return 0;
   const std::string& word = sets.names.words[set];
@@ -295,7 +295,7 @@ void read_element_sets(AbaqusReader& r) {
   for (int d = 1; d <= 3; ++d) number_labels(mesh, d, r.element_sets.names);
 }
 
-/// Whether the set is that of all nodes, told with the nodes themselves: it says nothing.
+/// Whether the set is that of all nodes, given with the nodes themselves: such a set adds nothing.
 bool is_all_nodes(const AbaqusReader& r, std::size_t set) {
   std::size_t nodes = 0;
   const AbaqusSets& sets = r.node_sets;

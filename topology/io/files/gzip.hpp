@@ -11,7 +11,7 @@ namespace sunder::io {
 /// Whether `bytes` begin like a gzip file.
 bool is_gzip(std::string_view bytes);
 
-/// What was packed, all members of the file one after the other. Throws ReadFailure (bad_gzip,
+/// The unpacked bytes, all members of the file one after the other. Throws ReadFailure (bad_gzip,
 /// truncated_file; too_large, beyond `Limits::unpacked_bytes`). Allocates at most twice the
 /// unpacked size.
 std::string unpacked(std::string_view bytes);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Internal to topology/io: the bytes of files, and of those that lie beside a file.
+// Internal to topology/io: the bytes of files, and of those that lie next to a file.
 #pragma once
 
 #include <filesystem>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Writing beside and renaming, with every system error said.
+// Writing a second file and renaming it, with every system error reported.
 #include "topology/io/files/output_file.hpp"
 
 #include <fcntl.h>

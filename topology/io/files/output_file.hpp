@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A file that is there whole or not at all: written beside its place, then renamed into it.
+// A file that is there whole or not at all: written next to its place, then renamed into it.
 #pragma once
 
 #include <cstdint>
@@ -17,11 +17,11 @@ namespace sunder {
 enum class Durable : bool { no, yes };
 
 /// Writes `parts`, one after the other, as the file `path`.
-/// Leaves: the new file complete, or on an error the old one (or none) as it was; nothing beside.
+/// Leaves: the new file complete, or on an error the old one (or none) as it was; no other file.
 /// Makes the folder of the file as make_folder_of does.
 /// A symbolic link is followed and stays; a file that is replaced leaves its mode, and its owner
-/// where the system lets us. What is named *.gz is packed. `-` is standard output, where what
-/// failed half-way stays half.
+/// where the system permits it. Files named *.gz are packed. `-` is standard output, where a failed
+/// write leaves its first part.
 /// Errors: cannot_write, with the system's reason and the remedy; none when it is written.
 std::optional<Finding> write_file(const std::filesystem::path& path,
                                   std::span<const std::string_view> parts,

@@ -34,8 +34,8 @@ std::string json_text(const Json& json, int indent = 2) {
 /// A word as a shell reads it: in quotes where it holds more than letters, digits and / . _ -.
 std::string shell_word(std::string_view word);
 
-/// Writes bytes as they are, colours of our own for example, or JSON. Never throws: what a stream
-/// does not take is lost, and `output_was_lost` reports it of standard output.
+/// Writes bytes as they are, colours of our own for example, or JSON. Never throws: bytes that a
+/// stream does not take are lost, and `output_was_lost` reports it of standard output.
 void write_text(std::FILE* stream, std::string_view text) noexcept;
 
 /// Flushes standard output; whether it has not taken all that was written to it so far.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Reading MEDIT: keywords in any order, each with a count and that many rows. In binary
-// files keywords are numbers, and each tells where the next stands.
+// files keywords are numbers, and each gives the place of the next.
 #include "topology/io/medit/medit.hpp"
 
 #include <fmt/format.h>
@@ -23,7 +23,7 @@ struct CellSection {
   CellKind kind;
 
   std::size_t nodes() const { return traits_of(kind).nodes; }
-  /// A section beside it may tell the order of its nodes: it is read once all were seen.
+  /// Another section may give the order of its nodes: it is read once all were seen.
   bool has_order() const { return medit_order_of(kind) != nullptr; }
 };
 constexpr CellSection cell_sections[] = {
@@ -58,10 +58,10 @@ struct MeditReader {
   /// Whether a section of cells was read, by its place in the table.
   std::array<bool, std::size(cell_sections)> has_cells{};
   /// For each node of a kind as the file lists it, its place in our order; empty where no section
-  /// tells it.
+  /// gives it.
   std::array<std::vector<std::uint8_t>, cell_kinds> order;
-  /// Sections of cells before the vertices, which are needed to judge them: read behind those. Cells
-  /// of second order are read behind all.
+  /// Sections of cells before the vertices, which are needed to judge them: read behind those.
+  /// Cells of second order are read behind all.
   struct Early {
     std::size_t place;
     /// Of the keyword, and behind it.
@@ -116,7 +116,7 @@ std::int32_t read_reference(MeditReader& r, std::string_view what) {
         .remedy = "number the references with 32 bits"});
 }
 
-/// Rows of `numbers` numbers each, which are to be bounded by what is left of the file.
+/// The count of rows of `numbers` numbers each, bounded by the rest of the file.
 std::size_t read_rows(MeditReader& r, std::string_view what, std::size_t numbers) {
   const std::size_t bytes = numbers * (r.version == 4 ? 8 : 4);
   return r.version == 4 ? read_bounded<std::int64_t>(r.in, what, 2 * numbers, bytes)
@@ -138,7 +138,7 @@ void read_dimension(MeditReader& r) {
         .remedy = is_late ? "put Dimension first" : "give a mesh in the plane or in space"});
 }
 
-/// The rows of a section whose keyword was passed.
+/// The rows of a section, behind its keyword.
 void read_cell_rows(MeditReader& r, std::size_t place, std::size_t section_at) {
   const CellSection& section = cell_sections[place];
   const std::size_t n = read_rows(r, section.keyword, section.nodes() + 1);
@@ -187,7 +187,7 @@ void read_cells(MeditReader& r, std::size_t place, std::size_t section_at) {
   }
 }
 
-/// Those whose nodes' order may still come (`with_order`), or the others.
+/// Cells with a node order that may still come (`with_order`), or the others.
 void read_early_cells(MeditReader& r, bool with_order) {
   const std::size_t at = r.in.s.at;
   for (const MeditReader::Early& early : r.early) {

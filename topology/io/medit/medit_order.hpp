@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Internal to MEDIT: sections like HexahedraQ2Ordering, which tell the order of a cell's nodes.
+// Internal to MEDIT: sections like HexahedraQ2Ordering, which give the order of a cell's nodes.
 #pragma once
 
 #include <array>
@@ -37,11 +37,11 @@ inline constexpr MeditOrder medit_orders[] = {
 /// The order section of a kind; a null pointer where it has none.
 const MeditOrder* medit_order_of(CellKind kind);
 
-/// Whether files without an order section leave the kind's nodes open: all but simplices, whose
-/// midpoints programs list alike.
+/// Whether files without an order section leave the order of the kind's nodes open: true of all but
+/// simplices, for which programs agree on the order of midpoints.
 bool needs_medit_order(CellKind kind);
 
-/// A node's place as such a section tells it: its Bezier indices of degree two. Along an edge from
+/// A node's place as such a section gives it: its Bezier indices of degree two. Along an edge from
 /// 0 to 2; in simplices one number for each corner, their sum 2; in prisms the triangle's three and
 /// the height; in pyramids the first two from 0 to 2 at the base, 0 to 1 half way up.
 using BezierPlace = std::array<std::int64_t, 4>;

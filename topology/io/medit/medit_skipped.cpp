@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Sections of MEDIT that say of points and cells what the mesh does not hold: which must stay, what
-// their normals are.
+// Sections of MEDIT about points and cells that the mesh does not hold: required ones, normals,
+// tangents.
 #include "topology/io/medit/medit_skipped.hpp"
 
 #include <fmt/format.h>

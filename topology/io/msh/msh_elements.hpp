@@ -64,7 +64,7 @@ inline constexpr ElementType element_types[] = {
     {119, CellKind::pyramid5, 55, "fourth-order pyramids"},
 };
 
-/// Whether its nodes beside the corners are no kind of ours.
+/// Whether its nodes besides the corners are no kind of ours.
 constexpr bool is_curved(const ElementType& type) { return !type.name.empty(); }
 
 /// Gmsh's type of a kind; none for polygons.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Entities for MSH: the cells' own, or what stands for them.
+// Entities for MSH: the cells' own, or substitutes.
 #include "topology/io/msh/msh_entities.hpp"
 
 #include <map>

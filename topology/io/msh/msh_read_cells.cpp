@@ -51,7 +51,7 @@ void read_nodes_2(MshReader& r) {
   }
 }
 
-/// What stands before the nodes or elements of an entity: 4.0 gives its number first.
+/// The head before the nodes or elements of an entity: 4.0 gives its number first.
 struct EntityHead {
   std::int64_t dimension = 0;
   std::int32_t tag = 0;
@@ -144,7 +144,7 @@ void read_element(MshReader& r, const ElementType& type, std::int64_t number, Ms
   add_partition(r, type.kind, cells.entity.size(), tags.partition);
 }
 
-/// Counts elements whose order is too high.
+/// Counts elements of too high an order.
 void count_kind(MshReader& r, const ElementType& type, std::size_t count, std::size_t at) {
   if (is_curved(type)) add_curved_cells(r.draft, type.name, count, at);
 }

@@ -11,7 +11,7 @@
 namespace sunder::io {
 namespace {
 
-/// What stands before the rows, as text in binary files too.
+/// The head before the rows, as text in binary files too.
 struct DataHead {
   std::string name;
   std::size_t components = 0;

@@ -83,7 +83,7 @@ void set_group(MshReader& r, std::size_t dimension, std::int64_t entity, std::in
   if (group != 0) r.physical_of_entity[dimension][entity] = group;
 }
 
-/// One entity of a part: its parent, the partitions that it lies in, then what entities have.
+/// One entity of a part: its parent, the partitions that it lies in, then the fields of an entity.
 void read_part(MshReader& r, std::size_t dimension) {
   const std::size_t at = place_of_next(r.in);
   const std::int32_t tag = read_tag(r, "an entity's number");

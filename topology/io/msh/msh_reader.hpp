@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Internal to the MSH reader: what its sections share.
+// Internal to the MSH reader: the state that its sections share.
 #pragma once
 
 #include <array>
@@ -44,7 +44,7 @@ struct MshReader {
   std::size_t names_at = 0;
   bool has_plain_names = false;
   NumberIndex nodes;
-  /// A row whose place is sought for a message, and that place.
+  /// The row that a message needs the place of, and that place.
   std::size_t sought_node = static_cast<std::size_t>(-1);
   std::size_t sought_at = 0;
   /// Of cells by kind; made when the first data of cells come.
@@ -103,7 +103,7 @@ void read_msh_names(MshReader& r);
 void read_msh_entities(MshReader& r);
 void read_msh_partitioned(MshReader& r);
 
-/// Names without a dimension go to the dimensions whose cells have the group.
+/// Names without a dimension go to the dimensions that have cells of the group.
 void name_msh_groups(MshReader& r);
 
 /// The partitions of the cells become a column of data.

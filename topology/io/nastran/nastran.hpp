@@ -29,13 +29,12 @@ inline constexpr KindSet nastran_cells =
 /// Which numbers the file can hold: from 1 to 99 999 999, each once; of elements all or none.
 HeldNumbers nastran_holds(const FileMesh& mesh);
 
-/// What does not come back beside what the format's traits tell: digits of coordinates beyond their
-/// sixteen characters, and regions that are no properties, from 1 to 99 999 999 (0 stands for
-/// none).
+/// Losses besides those of the format's traits: digits of coordinates beyond their sixteen
+/// characters, and regions that are no properties, from 1 to 99 999 999 (0 stands for none).
 std::vector<Finding> lost_in_nastran(const FileMesh& mesh);
 
 /// The text of a file: GRID* and elements. Regions that are no properties are written as none. A
-/// comment tells which property stands for no region, where that is needed.
+/// comment names the property that stands for no region, where that is needed.
 std::string write_nastran(const FileMesh& mesh);
 
 }  // namespace sunder::io

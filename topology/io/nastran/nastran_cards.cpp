@@ -18,7 +18,7 @@ constexpr std::size_t small_width = 8, large_width = 16;
 
 char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 
-/// What a line is, by its first field.
+/// The kind of a line, by its first field.
 struct LineKind {
   bool is_free = false;
   bool is_large = false;
@@ -162,7 +162,7 @@ void take_fields(CardLines& lines, std::string_view line, Card& card) {
   }
 }
 
-/// A line whose name is =, or =(3): how often the card before is repeated, and how.
+/// A line named = or =(3): how often the card before is repeated, and how.
 void begin_replication(CardLines& lines, std::string_view line, std::size_t begin) {
   Replication& replication = lines.replication;
   const std::string_view name = kind_of(line).name;

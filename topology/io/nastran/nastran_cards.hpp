@@ -66,8 +66,8 @@ inline std::string_view field_of(const Card& card, std::size_t i) {
   return i < card.fields.size() ? card.fields[i] : std::string_view{};
 }
 
-/// A field as a number. Fails with bad_number or number_out_of_range; `what` was expected. Reals
-/// may have an exponent without its letter (1.5-3), or with D. `text`: the whole file.
+/// A field as a number. Fails with bad_number or number_out_of_range, naming the expected `what`.
+/// Reals may have an exponent without its letter (1.5-3), or with D. `text`: the whole file.
 [[noreturn]] void fail_field(std::string_view text, const Card& card, std::size_t i,
                              std::string_view what, std::errc reason);
 std::int64_t card_integer(std::string_view text, const Card& card, std::size_t i,

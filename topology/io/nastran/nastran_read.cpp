@@ -16,7 +16,7 @@
 namespace sunder::io {
 namespace {
 
-/// What the comment in files of ours says.
+/// The property that the comment in our own files names.
 std::int32_t property_without_region(std::string_view text) {
   const std::size_t at = text.substr(0, 200).find(no_region_mark);
   if (at == std::string_view::npos) return 0;

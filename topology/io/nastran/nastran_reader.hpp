@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Internal to the Nastran reader: what is kept between its passes; which cards are elements, and of
-// what kind.
+// Internal to the Nastran reader: the data kept between its passes; the cards that are elements,
+// and their kinds.
 #pragma once
 
 #include <cstddef>
@@ -42,8 +42,8 @@ struct NastranReader {
   std::int32_t no_region = 0;
 };
 
-/// Finds the bulk data of the file and of those that it includes; what stands before BEGIN BULK is
-/// reported. Fails with unsupported_keyword, bad_keyword, missing_file or include_cycle.
+/// Finds the bulk data of the file and of those that it includes; reports the lines before BEGIN
+/// BULK. Fails with unsupported_keyword, bad_keyword, missing_file or include_cycle.
 void find_bulk_data(NastranReader& r);
 
 /// A card that gives elements of one shape.
@@ -65,7 +65,7 @@ bool is_other_element(std::string_view card);
 /// Whether a card is met at the beginning of bulk data.
 bool is_bulk_card(std::string_view card);
 
-/// The comment that tells which property stands for no region, in files of ours.
+/// The comment that names the property that stands for no region, in files of ours.
 inline constexpr std::string_view no_region_mark = "$ no region: property ";
 
 /// The kind of a shape with so many nodes; the linear one where there is none.

@@ -27,7 +27,7 @@ Draft read_ovm(std::string_view text);
 /// The text of a file. Edges and faces that are cells stand before the other edges and faces of
 /// polyhedra, as they are. A tetrahedron's half-faces are (0 1 2), (0 2 3), (0 3 1), (1 3 2) of its
 /// corners, others begin with their base; where that is listed in another rotation the property
-/// `sunder:turn` tells by how much.
+/// `sunder:turn` gives the turn.
 std::string write_ovm(const FileMesh& mesh);
 
 /// The names of properties that are not data, in the order of OvmOwn.

@@ -197,7 +197,7 @@ std::vector<bool> cells_among(OvmReader& r, std::size_t dimension, const std::ve
   return is_cell;
 }
 
-/// Turns the corners of bases as they were before writing, and what stands above them.
+/// Turns bases back to the order of corners before writing, and the nodes above them likewise.
 void turn_cells(OvmReader& r, CellKind kind, const std::vector<bool>& is_cell) {
   const auto turns = read_own<std::int64_t>(r, 3, OvmOwn::turn, is_cell);
   const std::size_t n = corners_of_base(kind), nodes = traits_of(kind).nodes;
@@ -224,8 +224,8 @@ void skip_others(OvmReader& r, std::size_t dimension,
   }
 }
 
-/// What is said of the cells of one dimension; `kind_of_row`: those of its edges, faces or
-/// polyhedra that are cells.
+/// The columns of the cells of one dimension; `kind_of_row`: those of its edges, faces or polyhedra
+/// that are cells.
 void read_columns(OvmReader& r, std::size_t dimension,
                   const std::vector<std::optional<CellKind>>& kind_of_row) {
   std::size_t kinds = 0;

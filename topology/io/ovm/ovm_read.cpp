@@ -130,7 +130,7 @@ HalfFace half_face_of(const OvmReader& r, std::uint32_t half_face) {
   return h;
 }
 
-/// What a polyhedron with such faces may be.
+/// The possible kind of a polyhedron with such faces.
 std::optional<CellKind> kind_of(const std::vector<HalfFace>& faces) {
   std::size_t triangles = 0, quads = 0;
   for (const HalfFace& f : faces) {
@@ -173,8 +173,8 @@ bool are_faces_of(CellKind kind, const std::vector<std::uint32_t>& nodes,
   return own == read;
 }
 
-/// The nodes of a cell: the corners of its base, then what each of them is joined to beside the
-/// base; empty where the half-faces do not bound such a cell.
+/// The nodes of a cell: the corners of its base, then for each of them its neighbour off the base;
+/// empty where the half-faces do not bound such a cell.
 std::vector<std::uint32_t> nodes_of_cell(CellKind kind, const std::vector<HalfFace>& half_faces) {
   const std::size_t n = corners_of_base(kind);
   const auto base = std::ranges::find(half_faces, n, &HalfFace::corners);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Internal to the OVM reader: what its parts share.
+// Internal to the OVM reader: the state that its parts share.
 #pragma once
 
 #include <array>

@@ -293,7 +293,7 @@ void put_data(NumberSink& out, int dimension, const DataColumn& column, std::siz
   }
 }
 
-/// What is said of the cells of one dimension, which are the first of `rows` edges, faces or
+/// The columns of the cells of one dimension, which are the first of `rows` edges, faces or
 /// polyhedra.
 void put_cells(NumberSink& out, const FileMesh& mesh, int d, std::span<const CellKind> kinds,
                std::size_t rows) {

@@ -46,12 +46,12 @@ std::int32_t place_of_word(WordList& list, std::string_view word);
 void number_regions(std::vector<std::int32_t>& region, const WordList& list,
                     std::map<std::int32_t, std::string>& names);
 
-/// The same for the regions of all cells of a dimension, whose numbers and names are shared; lists
+/// The same for the regions of all cells of a dimension, which share numbers and names; lists
 /// without a word lose their column.
 void number_labels(FileMesh& mesh, int dimension, const WordList& list);
 
-/// Gives the regions of a mesh that was read by its words the numbers and names of the list beside
-/// it: those whose names are the words of `names` (upper and lower case are one) become these
+/// Gives the regions of a mesh that was read by its words the numbers and names of the list next to
+/// it. Regions with words that are names in `names` (upper and lower case are one) become those
 /// regions. The others keep their words as names and get the smallest numbers that are free.
 /// Leaves: every name of `names` in the mesh.
 void match_names(FileMesh& mesh, const RegionNames& names);

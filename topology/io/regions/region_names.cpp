@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The list of names beside a mesh: text that a person can write too.
+// The list of names next to a mesh: text that a person can write too.
 #include "topology/io/regions/region_names.hpp"
 
 #include <fmt/format.h>

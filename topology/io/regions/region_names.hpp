@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Internal to topology/io: names of regions in a file beside a mesh whose format cannot hold them.
+// Internal to topology/io: names of regions in a file next to a mesh, if its format has none.
 #pragma once
 
 #include <filesystem>

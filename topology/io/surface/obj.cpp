@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// OBJ read: a line a point or a cell, joined to the next where it ends with a
+// OBJ read: a line per point or cell, joined to the next where it ends with a
 // backslash.
 #include "topology/io/surface/obj.hpp"
 
@@ -13,7 +13,7 @@
 namespace sunder::io {
 namespace {
 
-/// What a line is for, by its first word.
+/// The purpose of a line, by its first word.
 enum class Kind {
   point,
   face,
@@ -97,7 +97,7 @@ void end_line(Scanner& s) {
 struct ObjReader {
   Scanner s;
   Draft draft;
-  /// What gives the regions.
+  /// The lines that give the regions.
   Kind label = Kind::material;
   /// Points read up to the line, for negative numbers.
   std::int64_t points = 0;
@@ -128,7 +128,7 @@ void read_point(ObjReader& r, std::size_t at) {
   if (!next_in_line(r.s).empty()) add_skipped(r.draft, "weights or colours of points", {}, at);
 }
 
-/// The number of a point: what stands before the first slash.
+/// The number of a point: the digits before the first slash.
 std::int64_t number_of(const ObjReader& r, std::string_view word) {
   const std::string_view digits = word.substr(0, word.find('/'));
   std::int64_t number = 0;
@@ -168,7 +168,7 @@ void read_face(ObjReader& r, std::size_t at) {
   cell.begin(0, at);
   for (std::string_view word = next_in_line(r.s); !word.empty(); word = next_in_line(r.s)) {
     const std::size_t k = cell.rows.size();
-    if (k > most_corners) continue;  // told by add_face
+    if (k > most_corners) continue;  // reported by add_face
     cell.begin(k + 1, at);
     set_corner(r, cell, k, number_of(r, word));
   }
@@ -278,7 +278,7 @@ void skip_other_names(ObjReader& r) {
   });
 }
 
-/// What the file has: room is made for it, and what is left out is told.
+/// Counts the contents of the file, to make room for them, and reports those left out.
 void survey(ObjReader& r) {
   bool has_groups = false, has_objects = false, has_materials = false;
   Room room;

@@ -75,7 +75,7 @@ void read_header(OffReader& r) {
   rest_of_line(s);
 }
 
-/// What stands behind the numbers of a row on its line; comments are nothing.
+/// The rest of a row's line behind its numbers; empty for a comment.
 std::string_view rest_of_row(Scanner& s) {
   const std::string_view rest = rest_of_line(s);
   return rest.starts_with('#') ? std::string_view{} : rest;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Internal to topology/io: the PLY format (.ply): elements with properties, told by a text header.
+// Internal to topology/io: the PLY format (.ply): elements with properties, after a text header.
 #pragma once
 
 #include <optional>

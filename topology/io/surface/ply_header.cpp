@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// PLY's header: a line a property, under a line an element.
+// PLY's header: a line per property, under a line per element.
 #include "topology/io/surface/ply_header.hpp"
 
 #include <fmt/format.h>
@@ -113,7 +113,7 @@ bool names_a_program(std::string_view word, std::string_view rest) {
   return std::ranges::find(verbs, lower) != std::end(verbs) && first_word(rest) == "by";
 }
 
-/// Before the first element a line cannot change what stands in the rows.
+/// Before the first element a line cannot change the contents of the rows.
 void read_unknown_line(Scanner& s, PlyHeader& h, std::string_view word, std::size_t at) {
   if (h.elements.empty()) {
     if (!names_a_program(word, rest_of_line(s))) h.unknown.push_back({word, at});

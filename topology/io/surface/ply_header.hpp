@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Internal to the reader of PLY: the header, which tells what stands in the rows.
+// Internal to the reader of PLY: the header, which describes the contents of the rows.
 #pragma once
 
 #include <string_view>
@@ -10,7 +10,7 @@
 
 namespace sunder::io {
 
-/// What a property is for: decided by the reader of its element.
+/// The use of a property: decided by the reader of its element.
 enum class Role { skipped, coordinate, corners, edge_end, data };
 
 struct Property {

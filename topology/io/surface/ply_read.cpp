@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// PLY read: what each property of a row is for, then the rows.
+// PLY read: the role of each property of a row, then the rows.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -123,7 +123,7 @@ void read_value(PlyReader& r, const Property& p, DataColumn& column) {
   });
 }
 
-/// What a row gives beside data.
+/// The contents of a row besides data.
 struct Row {
   Point point{};
   FileCell& cell;
@@ -195,7 +195,7 @@ void assign(const PlyReader& r, Element& e, Role role,
   }
 }
 
-/// What is not told to be something else is data, lists are left out.
+/// Properties without another role are data; lists are left out.
 void assign_data(PlyReader& r, Element& e) {
   for (Property& p : e.properties) {
     if (p.role != Role::skipped) continue;

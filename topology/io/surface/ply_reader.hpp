@@ -44,7 +44,7 @@ Stored read_scalar(PlyReader& r, std::string_view what) {
   }
 }
 
-/// An integer of a property's type; `what` was expected.
+/// An integer of a property's type, expected as a `what`.
 std::int64_t read_integer(PlyReader& r, NumberType type, std::string_view what);
 
 /// The length of a list that stands next.

@@ -35,7 +35,7 @@ struct Written {
 struct Columns {
   std::vector<Written> list;
   std::set<std::string> taken;
-  /// Lines that tell what the words do not.
+  /// Lines with details that the words do not hold.
   std::string comments;
 };
 
@@ -49,7 +49,7 @@ std::vector<std::int64_t> wide(const std::vector<std::int32_t>& labels) {
   return {labels.begin(), labels.end()};
 }
 
-/// Letters, digits and a few signs; what else there is becomes _.
+/// Letters, digits and a few signs; other characters become _.
 std::string word_of(std::string_view name) {
   std::string word(name);
   for (char& c : word) {
@@ -167,7 +167,7 @@ std::size_t corners_of_largest(const FileMesh& mesh) {
   return most;
 }
 
-/// What is said of faces of all kinds, one after the other.
+/// The columns of faces of all kinds, one after the other.
 CellColumns columns_of_faces(const FileMesh& mesh) {
   CellColumns all;
   std::size_t rows = 0;

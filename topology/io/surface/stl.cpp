@@ -108,7 +108,7 @@ void expect(Scanner& s, std::string_view word) {
   fail_expected(s, fmt::format("the word {}", word));
 }
 
-/// Whether the next words end what `word` began: `endsolid`, or `end solid` as some programs write.
+/// Whether the next words end the block of `word`: `endsolid`, or `end solid` as in some files.
 bool is_end(Scanner s, std::string_view word) {
   const std::string_view first = next_word(s);
   if (is_word(first, "end")) return is_word(next_word(s), word);

@@ -20,11 +20,11 @@ bool is_stl(std::string_view text);
 Draft read_stl(std::string_view text);
 
 /// The bytes of an STL file with the triangles; normals are computed, that of a degenerate triangle
-/// is 0 0 0. Text has a solid for each run of triangles of one region. Binary files have floats and no
-/// regions. Needs: stl_refused says nothing.
+/// is 0 0 0. Text has a solid for each run of triangles of one region. Binary files have floats and
+/// no regions. Needs: stl_refused says nothing.
 std::string write_stl(const FileMesh& mesh, bool is_binary);
 
-/// What happens to the points of `mesh` in an STL file.
+/// Changes of the points of `mesh` in an STL file.
 struct StlPoints {
   /// Points that no triangle uses.
   std::size_t unused = 0;

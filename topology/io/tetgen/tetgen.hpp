@@ -12,7 +12,7 @@
 
 namespace sunder::io {
 
-/// Never: the files are numbers alone, only their names say what they are.
+/// Never: the files are numbers alone, and only their names show their contents.
 bool is_tetgen(std::string_view text);
 
 /// Whether a text may be one of TetGen's files, once its name says so: it begins with a number or

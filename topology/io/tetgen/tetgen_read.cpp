@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// TetGen's files read: what their numbers mean.
+// TetGen's files read: the meaning of their numbers.
 #include <fmt/format.h>
 
 #include <algorithm>

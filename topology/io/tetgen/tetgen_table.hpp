@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One of TetGen's files as a table: a line with counts, then a line a row; comments from # to the
-// line's end. What the numbers mean is for tetgen_read.cpp.
+// One of TetGen's files as a table: a line with counts, then a line per row; comments from # to the
+// line's end. The numbers get their meaning in tetgen_read.cpp.
 #pragma once
 
 #include <cstdint>
@@ -62,7 +62,7 @@ void expect_row(Table& table, std::size_t row, std::size_t rows, std::string_vie
 /// Fails where a line follows.
 void expect_end(Table& table, std::size_t rows, std::string_view what);
 
-/// Columns for `numbers` numbers a row: as the comment names them where its names fit, else
+/// Columns for `numbers` numbers per row: as the comment names them where its names fit, else
 /// `attribute` or `attribute_1`, `attribute_2`, ...
 std::vector<DataColumn> new_columns(std::span<const ColumnName> names, std::size_t numbers,
                                     std::size_t rows);

@@ -27,7 +27,7 @@ struct NumberSource {
   bool swap = false;
 };
 
-/// Ends the reading because the bytes do; `what` was expected.
+/// Ends the reading because the bytes end before the expected `what`.
 [[noreturn]] void fail_short(const Scanner& s, std::string_view what, std::size_t bytes);
 
 /// The next raw number. Fails with truncated_file.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Internal to topology/io: what reading a mesh from memory and from its path share.
+// Internal to topology/io: code shared by reading a mesh from memory and from its path.
 #pragma once
 
 #include <filesystem>
@@ -16,7 +16,7 @@
 
 namespace sunder::io {
 
-/// Takes what a ReadFailure ends into the findings.
+/// Does the work; a ReadFailure that ends it becomes a finding.
 template <class Work>
 void guarded(std::vector<Finding>& findings, Work work) {
   try {
@@ -32,14 +32,14 @@ struct ReadBytes {
   std::optional<MeshFormat> format;
 };
 
-/// What read_file_mesh does once bytes are there, packed or not.
+/// The work of read_file_mesh once bytes are there, packed or not.
 ReadBytes read_bytes(FileSource source, const std::filesystem::path& path,
                      const ReadOptions& options);
 
-/// What read_mesh makes of a file.
+/// The result of read_mesh for a file.
 Result<TetMesh> tetrahedra_of(Result<FileMesh>&& file, std::string_view name);
 
-/// What read_point_field makes of a file.
+/// The result of read_point_field for a file.
 Result<std::vector<double>> point_field_of(Result<FileMesh>&& mesh, std::string_view name,
                                            std::string_view field);
 

@@ -57,17 +57,17 @@ inline std::string_view first_word(std::string_view text) {
 /// UTF-8's, which some editors put before a text.
 inline constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
 
-/// What is left of the line, its end passed; without blanks before and after.
+/// The rest of the line without blanks before and after; the scanner passes the line's end.
 std::string_view rest_of_line(Scanner& s);
 
 /// Passes `word`, or fails because it was expected.
 void expect_word(Scanner& s, std::string_view word);
 
-/// Passes `n` words; fails at the file's end. `what` says of what they are.
+/// Passes `n` words, which belong to `what`; fails at the file's end.
 void skip_words(Scanner& s, std::size_t n, std::string_view what);
 
-/// The next number. Fails with bad_number, number_out_of_range or truncated_file; `what` says what
-/// was expected, with its article ("a coordinate"). "nan" and "inf" are numbers here.
+/// The next number. Fails with bad_number, number_out_of_range or truncated_file. `what`: the
+/// expected number with its article ("a coordinate"). "nan" and "inf" are numbers here.
 template <class Number>
 Number read_number(Scanner& s, std::string_view what) {
   skip_blanks(s);
@@ -86,7 +86,7 @@ Number read_number(Scanner& s, std::string_view what) {
 /// Fails also with count_too_big. `what` in the plural ("nodes").
 std::size_t read_count(Scanner& s, std::string_view what, std::size_t least_bytes);
 
-/// Fails with bad_number or count_too_big, told of byte `at`, unless the rest can hold so many.
+/// Fails with bad_number or count_too_big, reported at byte `at`, unless the rest can hold so many.
 void check_count(const Scanner& s, std::size_t at, std::int64_t count, std::string_view what,
                  std::size_t least_bytes);
 

@@ -13,8 +13,8 @@ namespace sunder::io {
 /// Whether a file begins with a data set: a line -1, then a line with its number.
 bool is_unv(std::string_view text);
 
-/// Reads nodes, elements and groups, which become regions; an element's table of physical properties
-/// is its region where its dimension has no groups, else its entity. Throws ReadFailure.
+/// Reads nodes, elements and groups, which become regions; an element's table of physical
+/// properties is its region where its dimension has no groups, else its entity. Throws ReadFailure.
 Draft read_unv(std::string_view text);
 
 /// The kinds of cells that are written.
@@ -29,8 +29,8 @@ bool is_unv_name(std::string_view name);
 /// Which numbers the file can hold: from 1 to 999 999 999, each once; of elements all or none.
 HeldNumbers unv_holds(const FileMesh& mesh);
 
-/// What does not come back beside what the format's traits tell: names that no group can have, and
-/// those of regions without cells.
+/// Losses besides those of the format's traits: names that no group can have, and those of regions
+/// without cells.
 std::vector<Finding> lost_in_unv(const FileMesh& mesh);
 
 /// The text of a file. Coordinates keep every bit.

@@ -103,8 +103,8 @@ void add_node(UnvReader& r, const UnvLines& lines, std::int64_t number, std::int
   add_point(r.draft, u == 1 ? point : Point{point[0] / u, point[1] / u, point[2] / u}, at);
 }
 
-/// 164: which units, their name; then what lengths, forces and temperatures are to be divided by to
-/// be in SI units.
+/// 164: the units and their name; then the divisors that convert lengths, forces and temperatures
+/// to SI units.
 double read_length_unit(UnvLines lines) {
   expect_line(lines, "the number and name of a system of units");
   expect_line(lines, "the factors of units");
@@ -235,7 +235,7 @@ void skip_orientation(UnvLines& lines, std::int64_t type, std::size_t nodes) {
 }
 
 /// Number, type, tables of physical properties and of materials, colour, how many nodes; 780 has
-/// the tables' places beside their numbers.
+/// the tables' places besides their numbers.
 void read_elements(UnvReader& r, UnvLines& lines, bool is_old) {
   std::array<std::int64_t, 8> head{};
   const std::size_t needed = is_old ? 8 : 6;
@@ -309,8 +309,8 @@ void add_columns(UnvReader& r) {
   mesh.point_data.push_back({"color", 1, NumberType::int64, std::move(r.node_colors.values)});
 }
 
-/// Tables of properties: where cells of a dimension are in no group they are their regions. Those that
-/// are all the first (or 0) say nothing.
+/// Tables of properties: where cells of a dimension are in no group they are their regions. Those
+/// that are all the first (or 0) say nothing.
 void take_tables(FileMesh& mesh) {
   for (int d = 0; d < 4; ++d) {
     bool has_regions = false, are_usual = true;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Internal to the reader of universal files: kinds of elements, and what is kept between data sets.
+// Internal to the reader of universal files: kinds of elements, and data kept between data sets.
 #pragma once
 
 #include <array>
@@ -78,7 +78,7 @@ struct UnvLines {
 /// Goes to the next line; false behind the last.
 bool next_line(UnvLines& lines);
 
-/// The same, where a line has to be: fails with truncated_file, as `what` was expected.
+/// The same for a line that has to be there: fails with truncated_file, naming the expected `what`.
 void expect_line(UnvLines& lines, std::string_view what);
 
 /// The whole numbers of the line, `most` of them or fewer. Fails with bad_number.

@@ -25,7 +25,7 @@ struct CellType {
   std::int64_t number;
   std::string_view name;
   int dimension;
-  /// The kind that it is, or whose corners are its first points.
+  /// The kind of the cell, or the kind with corners that are its first points.
   std::int8_t kind = no_kind;
   /// Whether it has more points than the kind.
   bool is_higher = false;
@@ -108,8 +108,8 @@ std::int8_t kind_of(const CellType& type, std::size_t points) {
   return type.kind;
 }
 
-/// What a cell becomes: cells of a kind, more than one of what is cut into parts; no_kind for what
-/// is left out.
+/// The result of reading a cell: one cell of a kind, or several parts that it is cut into; no_kind
+/// if it is left out.
 struct Parts {
   std::int8_t kind = no_kind;
   std::size_t count = 1;
@@ -278,7 +278,7 @@ void append_rows(std::vector<Value>& out, const DataColumn* column, std::size_t 
   }
 }
 
-/// What a kind of cells has of the column that is `like` this one by name and components, or null.
+/// The column of a kind of cells that is `like` this one by name and components, or null.
 const DataColumn* part_of(const FileMesh& mesh, CellKind kind, const DataColumn& like) {
   for (const DataColumn& c : columns_of(mesh, kind).data) {
     if (c.name == like.name && c.components == like.components) return &c;

@@ -32,8 +32,8 @@ struct VtkPiece {
   std::size_t points = 0;
   /// The kind of each of its cells, or of its parts; -1 where it was left out.
   std::vector<std::int8_t> list_of_cell;
-  /// Into how many parts each was cut: poly-vertices, polylines and strips become vertices, edges and
-  /// triangles, which have the data of the whole. Empty where there are none of these.
+  /// Into how many parts each was cut: poly-vertices, polylines and strips become vertices, edges
+  /// and triangles, which have the data of the whole. Empty where there are none of these.
   std::vector<std::uint32_t> parts_of_cell;
   /// By kind: how many there are, and the row of the first. Empty without cells: a file may have
   /// many pieces.
@@ -43,7 +43,7 @@ struct VtkPiece {
   std::size_t copies_left = 0;
 };
 
-/// Takes the copies that a column of so many components needs for parts of cells off what is left.
+/// Takes the copies that a column of so many components needs for parts of cells off the room left.
 /// Fails with count_too_big.
 void count_copies(const Draft& draft, VtkPiece& piece, std::size_t components, std::size_t at);
 
@@ -126,12 +126,13 @@ VtkGrid vtk_grid(const FileMesh& mesh);
 std::uint8_t vtk_type_of(CellKind kind);
 
 /// Names of data that do not reach the grid whole: a name stands for one array there, of points or
-/// of all cells. The second of a name is left out, and so is what has the name of our own labels;
-/// what has other components or numbers than the first is filled.
+/// of all cells. The second column of a name is left out, and so are columns with names of our own
+/// labels; columns with other components or numbers than the first are filled.
 std::vector<std::string> vtk_clashes(const FileMesh& mesh);
 
-/// Names of whole numbers that cells of some kind have and those of another lack: these get 0 in
-/// the grid, which no reader can tell from a number. (Reals get not-a-number, labels 0: read as none.)
+/// Names of whole numbers that cells of some kind have and those of another lack. These get 0 in
+/// the grid, which no reader can distinguish from a number. (Reals get not-a-number, and labels get
+/// 0, which is read as none.)
 std::vector<std::string> vtk_fillings(const FileMesh& mesh);
 
 }  // namespace sunder::io

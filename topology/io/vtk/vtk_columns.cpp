@@ -180,7 +180,7 @@ template VtkSink<std::int64_t> begin_vtk_data(Draft&, VtkPiece&, const VtkArrayH
 
 namespace {
 
-/// What a writer had to put where cells of some kind have no such column.
+/// Drops the values that a writer had to fill in where cells of some kind have no such column.
 void drop_fillings(FileMesh& mesh) {
   int kinds = 0;
   for (const CellKind kind : all_cell_kinds) kinds += rows_of(mesh, kind).count > 0;

@@ -15,7 +15,7 @@
 
 namespace sunder::io {
 
-/// What stands before an array's numbers.
+/// The head before an array's numbers.
 struct VtkArrayHead {
   std::string name;
   std::size_t components = 1;
@@ -49,7 +49,7 @@ bool is_new_name(Draft& draft, VtkNames& names, const VtkArrayHead& head);
 bool is_vtk_label(const VtkArrayHead& head);
 
 /// Takes the regions, entities or ids of a piece. Where a list has them already, they are data.
-/// Needs: is_vtk_label; one value a row. Fails with number_out_of_range.
+/// Needs: is_vtk_label; one value per row. Fails with number_out_of_range.
 void add_vtk_label(Draft& draft, VtkPiece& piece, const VtkArrayHead& head,
                    const std::vector<std::int64_t>& values);
 
@@ -91,9 +91,9 @@ struct VtkSink {
   }
 };
 
-/// Where the rows of an array of data go: columns of that name are begun, or go on where another
-/// piece began them. What earlier pieces lack is found out at the end. Room is made for the rows of
-/// the whole mesh, at most `most_numbers`.
+/// The sink for the rows of an array of data: columns of that name are begun, or go on where
+/// another piece began them. Rows missing from earlier pieces are found at the end. Room is made
+/// for the rows of the whole mesh, at most `most_numbers`.
 /// Needs: all points or cells of the file are there. The sink is good until the next call.
 template <class Value>
 VtkSink<Value> begin_vtk_data(Draft& draft, VtkPiece& piece, const VtkArrayHead& head,

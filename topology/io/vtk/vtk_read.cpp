@@ -107,7 +107,7 @@ void expect_section(VtkReader& r, bool seen, std::string_view name) {
 void read_cell_list(VtkReader& r) {
   const std::size_t n = read_count(r.in.s, "cells", 1);
   const std::size_t size = read_count(r.in.s, "numbers of cells", 1);
-  Scanner ahead = r.in.s;  // raw numbers may begin with what looks like blanks
+  Scanner ahead = r.in.s;  // raw numbers may begin with bytes that look like blanks
   const bool has_offsets = lower(peek_word(ahead)) == "offsets";
   r.cells_at = ahead.at;
   has_offsets ? read_offset_cells(r, n, size) : read_counted_cells(r, n, size);

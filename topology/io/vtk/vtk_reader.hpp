@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Internal to the legacy VTK reader: what its sections share.
+// Internal to the legacy VTK reader: the state that its sections share.
 #pragma once
 
 #include <string>
@@ -27,7 +27,7 @@ struct VtkReader {
   bool has_cells = false;
   bool has_types = false;
   std::size_t cells_at = 0;
-  /// What data belong to that come next: 0 nothing, 1 points, 2 cells.
+  /// The owner of the data that come next: 0 nothing, 1 points, 2 cells.
   int data_of = 0;
   std::size_t rows = 0;
   /// Bits that were kept as numbers.

@@ -138,8 +138,8 @@ std::string take_plain(ByteSource& in, std::size_t expected) {
   return bytes;
 }
 
-/// Appends what one zlib stream of `packed` bytes unfolds to, which has to be `size` bytes. Room is
-/// made as they come: the size is only what a header says.
+/// Appends the unpacked bytes of one zlib stream of `packed` bytes, which have to be `size` bytes.
+/// Room is made as they come: `size` is only a header's claim.
 void unfold(ByteSource& in, std::uint64_t packed, std::size_t size, std::string& out) {
   if (packed > most_left(in)) fail_short(in, packed - most_left(in));
   std::string block(packed, '\0');

@@ -24,7 +24,7 @@ struct VtuLayout {
   std::size_t header_bytes = 4;
   bool is_compressed = false;
   VtuEncoding appended_encoding = VtuEncoding::base64;
-  /// What follows the underscore of AppendedData, to the file's end.
+  /// The bytes behind the underscore of AppendedData, to the file's end.
   std::string_view appended;
   /// How many of its bytes the arrays read so far took. They may not share any: a small file could
   /// say to be big.
@@ -43,12 +43,12 @@ struct VtuArray {
   bool is_ascii = false;
   /// Into VtuLayout::appended.
   std::size_t offset = 0;
-  /// Into VtuLayout::text: the tag itself, and what stands between it and its end tag.
+  /// Into VtuLayout::text: the tag itself, and the text between it and its end tag.
   std::size_t at = 0;
   std::string_view content;
 };
 
-/// What takes an array's values, block by block.
+/// Takes an array's values, block by block.
 template <class Value>
 using TakeValues = std::function<void(std::span<const Value>)>;
 

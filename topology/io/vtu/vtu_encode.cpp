@@ -19,7 +19,7 @@ namespace {
 
 constexpr char digits64[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
-/// What is packed at a time; VTK unpacks single blocks where it wants a part of an array.
+/// Bytes packed at a time; VTK unpacks single blocks where it needs a part of an array.
 constexpr std::size_t block_bytes = 1 << 18;
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Internal to topology/io: arrays as VTU files hold them beside raw bytes.
+// Internal to topology/io: arrays as VTU files hold them besides raw bytes.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace sunder::io {
 
-/// Text as an attribute or content of XML may have it: `&`, `<`, `>` and quotes by their names; other
-/// characters as they are.
+/// Text as an attribute or content of XML may have it: `&`, `<`, `>` and quotes by their names;
+/// other characters as they are.
 std::string in_xml(std::string_view text);
 
 /// Bytes in base64, padded.

@@ -32,12 +32,12 @@ constexpr NumberType type_of(std::uint32_t) { return NumberType::uint32; }
 constexpr NumberType type_of(std::int64_t) { return NumberType::int64; }
 constexpr NumberType type_of(std::uint8_t) { return NumberType::uint8; }
 
-/// The XML part as it grows, and what will follow it.
+/// The XML part as it grows, and the raw data that will follow it.
 struct VtuWriter {
   Encoding encoding = Encoding::binary;
   bool pack = false;
   std::string xml;
-  /// What the file says that it holds.
+  /// The type that the file declares.
   std::string_view type;
   /// Raw data behind the XML: the caller's columns, and headers and packed arrays of our own.
   std::vector<std::string_view> appended;
@@ -147,7 +147,7 @@ void add_mesh(VtuWriter& out, const std::vector<Point>& points,
   out.xml += "</Cells>\n";
 }
 
-/// `counts`: the attributes of the piece that tell how many cells there are.
+/// `counts`: the attributes of the piece with the numbers of cells.
 void begin_file(VtuWriter& out, std::string_view type, std::size_t points,
                 std::string_view counts) {
   out.type = type;

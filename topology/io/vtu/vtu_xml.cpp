@@ -25,11 +25,11 @@ struct VtuParser {
   std::vector<std::string> open;
   /// Names of elements and attributes that came; expat keeps every new one.
   std::set<std::string, std::less<>> names;
-  /// The array whose end tag has not come yet.
+  /// The array that is still open.
   VtuArray* array = nullptr;
   bool stopped_at_appended = false;
   std::string appended_encoding;
-  /// expat is C: what is thrown in a handler is carried over it here.
+  /// expat is C: exceptions of a handler are carried over it here.
   std::optional<Finding> failure;
 };
 
@@ -203,7 +203,7 @@ void start_array(VtuParser& p, Attributes attributes) {
   p.array = &arrays->back();
 }
 
-/// What a VTU file needs is far below these bounds; a hostile one would fill memory with tags.
+/// A VTU file stays far below these bounds; a hostile one would fill memory with tags.
 void bound_tags(VtuParser& p, std::string_view name, Attributes attributes) {
   const std::size_t deepest = limits().xml_levels;
   constexpr std::size_t most_names = 1024;
@@ -222,7 +222,7 @@ void bound_tags(VtuParser& p, std::string_view name, Attributes attributes) {
   }
 }
 
-/// What stands in an array up to here is all of it.
+/// The text of an array ends here.
 void end_array(VtuParser& p) {
   if (p.array == nullptr) return;
   const char* const begin = p.array->content.data();
@@ -331,7 +331,7 @@ VtuDocument parse_vtu(std::string_view text) {
   XML_SetUserData(p.xml, &p);
   XML_SetElementHandler(p.xml, on_start, on_end);
   XML_SetStartDoctypeDeclHandler(p.xml, on_doctype);
-  // In parts, so that what expat keeps of an unfinished tag is bounded.
+  // In parts, so that expat's buffer for an unfinished tag is bounded.
   constexpr std::size_t chunk = std::size_t{1} << 16;
   for (std::size_t at = 0; at < text.size(); at += chunk) {
     const std::size_t size = std::min(chunk, text.size() - at);

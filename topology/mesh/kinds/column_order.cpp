@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Columns sorted by what each kind says stands before what.
+// Columns sorted by the orders that the kinds of cells have them in.
 #include "topology/mesh/kinds/column_order.hpp"
 
 #include <map>
@@ -10,8 +10,8 @@
 namespace sunder {
 namespace {
 
-/// Columns in the order in which they come first, for each those right after it in some kind, and in
-/// how many places one stands right before it.
+/// Columns in the order in which they come first, for each those right after it in some kind, and
+/// in how many places one stands right before it.
 struct ColumnGraph {
   std::vector<const DataColumn*> columns;
   std::vector<std::vector<std::size_t>> after;

@@ -9,8 +9,8 @@
 namespace sunder {
 
 /// The first column of each name among the cells, so that those of every kind stand in the kind's
-/// own order; where kinds contradict each other, and between columns that no kind has both of, what
-/// comes first in the kinds' order does. O(n log n) for n columns.
+/// own order. Where kinds contradict each other, or no kind has both columns, the one that comes
+/// first in the kinds' order is first. O(n log n) for n columns.
 std::vector<const DataColumn*> ordered_cell_columns(const FileMesh& mesh);
 
 }  // namespace sunder

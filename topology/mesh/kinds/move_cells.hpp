@@ -17,8 +17,8 @@ void move_cells(FileMesh& mesh, CellKind from, CellKind to);
 /// Takes all cells of a kind out.
 void drop_cells(FileMesh& mesh, CellKind kind);
 
-/// Gives what is said of rows of several kinds to the list of each, in their order, and drops there
-/// what is filling. Needs: the lists have those cells, and no columns.
+/// Distributes the columns of rows of several kinds to the list of each, in their order, and drops
+/// filling values there. Needs: the lists have those cells, and no columns.
 void deal_columns(FileMesh& mesh, CellColumns&& all, const std::vector<CellKind>& kind_of_row);
 
 /// Drops columns that say nothing: labels and numbers that are all 0, data that are all

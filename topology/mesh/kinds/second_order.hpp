@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Cells that get nodes in the middles of their edges, and those whose edges are bent.
+// Cells get nodes in the middles of their edges; cells with bent edges are found.
 #pragma once
 
 #include <cstddef>
@@ -8,11 +8,11 @@
 
 namespace sunder {
 
-/// All cells of first order become those of second order with the same corners and a node in the middle
-/// of each edge; edges that cells share have one node, that of a cell of second order that is there
-/// already too. Vertices and polygons stay. What is said of cells goes with them. New points stand
-/// behind the others: numbers count on; data are the mean of the ends', integers and references what
-/// both ends have, or 0. Gives how many points are new. O(n log n).
+/// All cells of first order become those of second order with the same corners and a node in the
+/// middle of each edge; their columns go with them. Cells that share an edge share its node, also
+/// with existing cells of second order. Vertices and polygons stay. New points stand behind the
+/// others: numbers count on; data are the mean of the ends', integers and references the common
+/// value of both ends, or 0. Gives how many points are new. O(n log n).
 std::size_t raise_order(FileMesh& mesh);
 
 /// Cells of second order of one kind with a middle node off the middle of its edge by more than a

@@ -110,7 +110,7 @@ CellColumns columns_of_parts(CellColumns&& cells, const std::vector<std::uint32_
   return std::move(cells);
 }
 
-/// Numbers for all cells where some have any: parts would else be told by wrong places.
+/// Numbers for all cells where some have any: parts would else be named by wrong places.
 std::int64_t last_number(FileMesh& mesh) {
   bool any = false;
   for (const CellKind kind : all_cell_kinds) any |= !columns_of(mesh, kind).source_id.empty();

@@ -8,7 +8,7 @@
 
 namespace sunder {
 
-/// What became of the cells that were cut, counted.
+/// Counts of the cells that were cut.
 struct SplitCells {
   /// By kind: how many there were.
   std::array<std::size_t, cell_kinds> cut{};
@@ -18,7 +18,7 @@ struct SplitCells {
   /// Volume cells with a part that is flat, or turned inside out against the whole; faces with a
   /// part that looks away from the whole: they are concave there, or twisted.
   std::size_t concave_volumes = 0, concave_faces = 0;
-  /// Polygons whose corners do not lie in a plane (to a millionth of their size).
+  /// Polygons with corners that do not lie in a plane (to a millionth of their size).
   std::size_t bent_polygons = 0;
   /// Parts that were given numbers behind the highest of the file.
   std::size_t numbers_added = 0;
@@ -36,7 +36,7 @@ struct SplitCells {
 SplitCells split_cells(FileMesh& mesh);
 
 /// Drops points that cells used in `before` and none uses now; returns how many. Rows of the others
-/// keep their order, and their numbers tell where they come from.
+/// keep their order, and their numbers name their origins.
 std::size_t drop_points_out_of_use(FileMesh& mesh, const std::vector<bool>& used_before);
 
 /// Which points a cell uses.

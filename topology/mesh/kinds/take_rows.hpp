@@ -37,14 +37,14 @@ inline void take_rows(CellColumns& cells, const std::vector<std::uint32_t>& rows
   take_rows(cells.data, rows);
 }
 
-/// Numbers of what stays are its own: rows that move keep telling where they come from.
+/// Numbers rows that have no numbers, so that rows that move keep their original numbers.
 inline void number_rows(std::vector<std::int64_t>& ids, std::size_t rows, std::size_t first) {
   if (!ids.empty()) return;
   ids.resize(rows);
   std::iota(ids.begin(), ids.end(), static_cast<std::int64_t>(first));
 }
 
-/// Points become `rows` of the old ones, and nodes of cells what `new_row` says.
+/// Points become `rows` of the old ones, and nodes of cells are renumbered by `new_row`.
 void take_points(FileMesh& mesh, const std::vector<std::uint32_t>& rows,
                  const std::vector<std::uint32_t>& new_row);
 

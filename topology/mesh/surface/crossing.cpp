@@ -123,7 +123,7 @@ bool triangles_cross(const std::vector<Point>& points, const Triangle& a, const 
 Crossings find_crossings(const std::vector<Point>& points,
                          const std::vector<SurfaceTriangle>& all) {
   constexpr std::size_t looks_each = 400;
-  // A triangle that is a line lies on what its neighbours share: it cannot be held against them.
+  // A triangle without area lies on edges of its neighbours: it cannot be tested against them.
   std::vector<SurfaceTriangle> triangles;
   std::ranges::copy_if(all, std::back_inserter(triangles),
                        [&](const SurfaceTriangle& t) { return has_area(points, t.corners); });

@@ -19,9 +19,9 @@ struct SurfaceTriangle {
 /// Whether three points do not lie on a line. Exact.
 bool has_area(const std::vector<Point>& points, const std::array<std::uint32_t, 3>& corners);
 
-/// Whether two triangles have a point in common beside the corners and the edge that they share.
-/// Exact; corners are the same where their numbers are. Needs: triangles with an area, finite points,
-/// two that lie in one place having one number.
+/// Whether two triangles have a point in common besides the corners and the edge that they share.
+/// Exact; corners are the same where their numbers are. Needs: triangles with an area, finite
+/// points, two that lie in one place having one number.
 bool triangles_cross(const std::vector<Point>& points, const std::array<std::uint32_t, 3>& a,
                      const std::array<std::uint32_t, 3>& b);
 
@@ -32,8 +32,9 @@ struct Crossings {
   bool is_finished = true;
 };
 
-/// Faces that cross each other, by their triangles; those of one face are not held against each
-/// other, and those without area against none. O(n log n) where few boxes of triangles overlap; ends after 400 looks a triangle.
+/// Faces that cross each other, by their triangles. Triangles of one face are not compared with
+/// each other, and those without area with none. O(n log n) where few boxes of triangles overlap.
+/// Ends after 400 comparisons per triangle.
 Crossings find_crossings(const std::vector<Point>& points,
                          const std::vector<SurfaceTriangle>& triangles);
 

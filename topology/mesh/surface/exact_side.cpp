@@ -104,7 +104,7 @@ int side_of_plane(const Point& a, const Point& b, const Point& c, const Point& d
     det += (b[k] - a[k]) * (first - second);
     sizes += std::abs(b[k] - a[k]) * (std::abs(first) + std::abs(second));
   }
-  // Above what the roundings of differences, products and sums can make together.
+  // Above the largest rounding error of differences, products and sums together.
   if (std::abs(det) > 10 * rounding * sizes) return sign_of(det);
   return exact_side(a, b, c, d);
 }

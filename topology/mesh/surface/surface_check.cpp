@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Faces by their sides and corners, places instead of points, and what follows from them.
+// Faces by their sides and corners, places instead of points, and the properties that follow.
 #include "topology/mesh/surface/surface_check.hpp"
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a mesh of faces without a body is like: closed, manifold, oriented, crossing itself; its
+// Properties of a mesh of faces without a body: closed, manifold, oriented, crossing itself; its
 // area and the volume that it encloses.
 #pragma once
 

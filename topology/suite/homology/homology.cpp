@@ -103,9 +103,9 @@ void leave_out(SparseMatrix& matrix, const std::vector<char>& columns,
   matrix.columns = std::move(kept);
 }
 
-/// The three boundary matrices with their unit pivots taken, [1] to [3]. The middle one, the only
-/// hard one, is freed first of what the pivots of the other two make redundant: of a spanning
-/// forest of edges, and of faces through which tetrahedra collapse.
+/// The three boundary matrices with their unit pivots taken, [1] to [3]. From the middle one, the
+/// only hard one, the rows and columns made redundant by the pivots of the other two are removed
+/// first: a spanning forest of edges, and faces through which tetrahedra collapse.
 std::array<Elimination, 4> eliminate_boundaries(const OrbitComplex& complex, int prime) {
   std::array<Elimination, 4> result;
   result[1] = eliminate_units(boundary_matrix(complex, 1), prime);
@@ -113,7 +113,7 @@ std::array<Elimination, 4> eliminate_boundaries(const OrbitComplex& complex, int
   SparseMatrix middle = boundary_matrix(complex, 2);
   leave_out(middle, result[3].pivot_row, result[1].pivot_column);
   result[2] = eliminate_units(std::move(middle), prime);
-  // What was left out counts no pivot twice: it depends on what stayed.
+  // The removed rows and columns depend on the others: no pivot is counted twice.
   return result;
 }
 

@@ -41,7 +41,7 @@ bool boundaries_are_closed(const OrbitComplex& complex);
 
 /// Betti numbers over the field of `prime` elements (a prime below 2^15): cells of dimension d less
 /// the ranks of the boundary matrices of d and d + 1 (any textbook, e.g. Hatcher, Algebraic
-/// Topology, 2.1). About 2 us a tetrahedron on cubes of 6 000 and 48 000, whole and cut; 10 to 20
+/// Topology, 2.1). About 2 us per tetrahedron on cubes of 6 000 and 48 000, whole and cut; 10 to 20
 /// us on closed manifolds.
 BettiNumbers betti_numbers(const OrbitComplex& complex, int prime);
 

@@ -241,7 +241,7 @@ bool divides_all(Dense& m, std::size_t k) {
   for (std::size_t i = k + 1; i < m.rows; ++i) {
     for (std::size_t j = k + 1; j < m.columns; ++j) {
       if (m.at(i, j) % m.at(k, k) == 0) continue;
-      // Column j beside column k: the next division leaves a smaller remainder.
+      // Column j is added to column k: the next division leaves a smaller remainder.
       for (std::size_t r = k; r < m.rows; ++r) {
         m.at(r, k) = less_multiple(m.at(r, k), -1, m.at(r, j));
       }

@@ -21,13 +21,13 @@ struct SparseMatrix {
   std::vector<std::vector<MatrixEntry>> columns;
 };
 
-/// What `eliminate_units` made of a matrix.
+/// The result of `eliminate_units` for a matrix.
 struct Elimination {
   /// Number of pivots; one in each marked row and each marked column.
   std::size_t pivots = 0;
   std::vector<char> pivot_row, pivot_column;
-  /// What is left without them: the matrix is equivalent to the identity of `pivots` beside this.
-  /// Over a field it is zero; over Z none of its entries is 1 or -1.
+  /// The rest without them: the matrix is equivalent to the identity of size `pivots` and this
+  /// block. Over a field it is zero; over Z none of its entries is 1 or -1.
   SparseMatrix rest;
 };
 
@@ -43,7 +43,7 @@ struct Elimination {
 Elimination eliminate_units(SparseMatrix matrix, int prime);
 
 /// Elementary divisors (the diagonal of the Smith normal form without zeros), each dividing the
-/// next. Dense, cubic: for what `eliminate_units` leaves over. Throws as that does.
+/// next. Dense, cubic: for the rest that `eliminate_units` leaves. Throws as that does.
 std::vector<std::uint64_t> elementary_divisors(const SparseMatrix& matrix);
 
 }  // namespace sunder::suite

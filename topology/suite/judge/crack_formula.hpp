@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What breaks of labelled cracks come to, without an order: a union over the breaks.
+// The result of breaks of labelled cracks, without an order: a union over the breaks.
 #pragma once
 
 #include <set>

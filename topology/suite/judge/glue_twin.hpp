@@ -20,8 +20,8 @@ struct TwinCounts {
   bool operator==(const TwinCounts&) const = default;
 };
 
-/// What taking one glue away did, at the three points and edges of the face; seen before and after
-/// by union-find over the tetrahedra around them.
+/// The effect of removing one glue on the three points and edges of the face, found before and
+/// after by union-find over the tetrahedra around them.
 struct LocalTruth {
   std::array<std::uint32_t, 3> points;
   std::array<bool, 3> vertex_split;

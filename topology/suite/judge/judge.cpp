@@ -101,7 +101,7 @@ struct Trial {
     }
   }
 
-  /// Holds the kernel's own fan against the faces about to be split.
+  /// Compares the kernel's own fan with the faces about to be split.
   void check_fan(const SplitFan& fan, const std::vector<TrueStep>& steps) {
     if (!kernel.fan) {
       ++not_asked;
@@ -202,7 +202,7 @@ struct Trial {
     return !refused && !failed();
   }
 
-  /// Holds what was seen against a known difference; nothing else is judged then.
+  /// Compares the answers with a known difference; nothing else is judged then.
   bool meet(const KnownDifference& known, bool refused) {
     const CellCounts counts = refused ? CellCounts{} : timed(kernel.counts);
     const bool differs =
@@ -290,8 +290,8 @@ std::size_t operation_of_step(const std::vector<TrueOperation>& operations, std:
   return operation;
 }
 
-/// As `first_mismatch`, but throws KernelSilent: what waits for its time to be over is not asked
-/// again and again.
+/// As `first_mismatch`, but throws KernelSilent: a kernel that has once exceeded its time is not
+/// asked again and again.
 std::optional<Mismatch> mismatch_of(const TetMesh& body, std::span<const Step> steps,
                                     JudgedKernel& kernel) {
   Fixture fixture{.name = "steps", .body = body};

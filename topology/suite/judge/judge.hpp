@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Runs fixtures on a kernel and holds every answer against what the fixture and the twin say.
+// Runs fixtures on a kernel and compares every answer with the fixture and the twin.
 #pragma once
 
 #include <cstddef>

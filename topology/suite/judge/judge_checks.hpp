@@ -19,7 +19,7 @@ struct Mismatch {
   std::size_t step = 0;
   /// Which operation of the fixture that was, counted from 1; 0 right after loading.
   std::size_t operation = 0;
-  /// "edges", "split vertices of face 1 4 14", ...; then what was expected and what was answered.
+  /// "edges", "split vertices of face 1 4 14", ...; then the expected and the actual answer.
   std::string what, expected, answered;
   /// The shortest sequence of steps found that still shows a mismatch.
   std::vector<Step> steps;
@@ -61,7 +61,7 @@ std::vector<std::uint32_t> first_places(std::span<const std::uint32_t> numbers);
 struct PartitionDifference {
   /// The first place that is wrong, and an earlier one that it should, or should not, be with.
   std::size_t earlier = 0, place = 0;
-  /// What is expected of the two.
+  /// Whether the two are expected together.
   bool together = false;
 };
 std::optional<PartitionDifference> partition_difference(std::span<const std::uint32_t> expected,

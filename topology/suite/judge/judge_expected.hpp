@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Internal to judge_truth: what a fixture expects, held against what the twin says.
+// Internal to judge_truth: a fixture's expectations, compared with the twin.
 #pragma once
 
 #include <optional>
@@ -17,7 +17,7 @@ void check_counts(Checks& checks, const Expected& expected, const CellCounts& co
 std::optional<IntegerHomology> check_homology(Checks& checks, const Expected& expected,
                                               const GlueTwin& twin);
 
-/// Single splits, their tally, what the oracle says, and separations of one operation.
+/// Single splits, their tally, the oracle's answers, and separations of one operation.
 void check_splits(Checks& checks, const Expected& expected, const std::vector<TrueStep>& steps,
                   const GlueTwin& twin);
 

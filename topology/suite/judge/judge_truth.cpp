@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A fixture run on the twin, and its expectations held against what comes out.
+// A fixture run on the twin, and its expectations compared with the results.
 #include "topology/suite/judge/judge_truth.hpp"
 
 #include <fmt/format.h>
@@ -121,8 +121,8 @@ std::vector<BreakPoint> only_breaks(const Fixture& fixture) {
   return breaks;
 }
 
-/// Holds a body on which breaks were made, one after the other, against what they come to without
-/// an order: glued faces, and everything that hangs together by them.
+/// Compares a body after breaks, made one after the other, with the result of the breaks without an
+/// order: glued faces, and everything connected by them.
 void check_formula(Checks& checks, const GlueTwin& intact, std::span<const BreakPoint> breaks,
                    const GlueTwin& now) {
   const GlueTwin expected = without_faces(intact, crack_faces(intact, breaks));

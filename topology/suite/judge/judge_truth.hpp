@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What is true of a fixture, by the twin alone: its operations as steps, what each step does, and
-// how the body is at the moments that kernels are asked about. Shared by all kernels.
+// The truth about a fixture, by the twin alone: its operations as steps, the effect of each step,
+// and the body at the moments that kernels are asked about. Shared by all kernels.
 #pragma once
 
 #include <cstddef>
@@ -49,11 +49,11 @@ struct Truth {
   std::vector<TrueOperation> operations;
   /// Where all operations are breaks: the same ones, last first. They lead to the same map.
   std::vector<TrueOperation> backwards;
-  /// The fixture's own expectations, held against the above; and the laws of a split.
+  /// The fixture's own expectations, compared with the above; and the laws of a split.
   Checks checks;
 };
 
-/// Whether union-find can hold it: rows in range, four different points a tetrahedron, no face in
+/// Whether union-find can hold it: rows in range, four different points per tetrahedron, no face in
 /// more than two, at least one tetrahedron.
 bool is_body(const TetMesh& mesh);
 

@@ -75,7 +75,7 @@ struct Shrinking {
     return true;
   }
 
-  /// Drops chunks of what `size` counts; whether any could go.
+  /// Drops chunks of the items counted by `size`; returns whether any could be dropped.
   template <class Size, class Without>
   bool drop_chunks(const Size& size, const Without& without) {
     bool dropped = false;

@@ -18,14 +18,14 @@ struct StepsOnBody {
   std::vector<Step> steps;
 };
 
-/// Whether a run fails. It is asked of fresh bodies only, and has to start anew each time.
+/// Whether a run fails. It is asked of fresh bodies only, and has to start from scratch each time.
 using Fails = std::function<bool(const TetMesh& body, std::span<const Step> steps)>;
 
 struct ShrinkLimits {
   /// Whether tetrahedra may be dropped; else the body stays as it is.
   bool body = true;
-  /// What bounds the time: steps of all trials together, 16 each, and their tetrahedra once a trial
-  /// and once a step of up to 64, after which a body is looked at.
+  /// Bound on the time: steps of all trials together, 16 each, and their tetrahedra once per trial
+  /// and once per step of up to 64, after which a body is looked at.
   std::size_t work = 8000000;
 };
 

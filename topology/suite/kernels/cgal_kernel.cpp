@@ -64,7 +64,7 @@ struct Body {
   std::vector<std::array<std::uint32_t, 4>> file;
   /// A dart of each tetrahedron.
   std::vector<Dart> dart;
-  /// What the functors told during the present split.
+  /// The answer gathered by the functors during the present split.
   SplitAnswer told;
   /// Attributes there should be, by the functors' calls since loading.
   std::ptrdiff_t vertices = 0, edges = 0;
@@ -216,7 +216,8 @@ void listen(Body& body) {
   c.onmerge_functor<1>() = [&body](auto&, auto&) { --body.edges; };
 }
 
-/// CGAL checks nothing; only what would make this program read beyond its arrays is refused here.
+/// CGAL checks nothing; only meshes that would make this program read beyond its arrays are
+/// refused.
 std::vector<Finding> load(Body& body, const TetMesh& mesh) {
   body.complex.clear();
   body.file = mesh.tetrahedra;
@@ -363,7 +364,7 @@ std::vector<std::uint32_t> component_of_tetrahedron(Body& body) {
   return of;
 }
 
-/// CGAL's own check prints what it finds; here it prints into a string.
+/// CGAL's own check prints its findings; here it prints into a string.
 std::vector<std::string> own_faults(Body& body) {
   std::ostringstream printed;
   std::streambuf* const out = std::cout.rdbuf(printed.rdbuf());

@@ -26,7 +26,7 @@ struct JudgedKernel {
   /// reason to refuse: this is about topology.
   std::function<std::vector<Finding>(const TetMesh&)> load;
   /// Whether `load` gives every finding of `check_mesh` (warnings and notes too), so that its codes
-  /// can be held against the fixture's; otherwise only whether it refuses counts.
+  /// can be compared with the fixture's; otherwise only its refusals count.
   bool names_findings = false;
   /// Needs: a side of a face of the body.
   std::function<SplitAnswer(FaceSide)> split;
@@ -83,7 +83,7 @@ constexpr double default_answer_seconds = 10;
 /// process and throws `KernelLost`.
 JudgedKernel process_kernel(const std::string& command, double seconds = default_answer_seconds);
 
-/// Another process died, hung or spoke nonsense; `what()` says which question it was.
+/// Another process died, hung or gave an unreadable answer; `what()` names the question.
 struct KernelLost : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// CGAL's own way to split faces, timed: what the kernel's own way is compared with.
+// CGAL's own way to split faces, timed, as a comparison for the kernel's own way.
 #pragma once
 
 #include <span>

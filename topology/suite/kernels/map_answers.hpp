@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Answers of maps in the file's numbers: what the library's kernels under judgement share.
+// Answers of maps in the file's numbers, for all of the library's kernels under judgement.
 #pragma once
 
 #include <algorithm>
@@ -32,7 +32,7 @@ HalfFaceId half_face_at(const K& map, FaceSide side) {
   return half_face(TetId{side.tetrahedron}, place);
 }
 
-/// What a split did, but for whether it separated.
+/// The answer of a split, except whether it separated.
 template <Kernel K>
 SplitAnswer in_file_points(const K& map, const FaceSplit& split) {
   SplitAnswer answer;

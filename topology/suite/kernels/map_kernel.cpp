@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `VolumeMap` under judgement: its answers in the file's numbers, and what it says against itself.
+// `VolumeMap` under judgement: its answers in the file's numbers, and its faults by its own checks.
 #include <algorithm>
 #include <array>
 #include <memory>
@@ -27,12 +27,12 @@ constexpr std::array<const char*, 4> detection_names = {"walks", "the dirty coun
 struct Body {
   std::optional<VolumeMap> map;
   std::vector<std::array<std::uint32_t, 4>> file;
-  /// Updated after every split, which tells whether it separated.
+  /// Updated after every split, which reports whether it separated.
   Components labels;
   /// Updated by each way of detection with all splits since the last look at the faults.
   std::array<Components, all_detections.size()> batched;
   std::vector<FaceSplit> batch;
-  /// Gluing makes labels void; they are walked anew when somebody asks.
+  /// Gluing makes labels void; they are computed again at the next question.
   bool labels_are_void = true;
   ComponentScratch scratch;
   /// No tetrahedron is flat or folded against its neighbours: Betti numbers follow from the
@@ -83,8 +83,8 @@ Counts counted_for_laws(const Body& body) {
   return counts;
 }
 
-/// Splits a face and holds what happened to all cells against the laws: always on small bodies,
-/// else often enough to cost about 20 us a split.
+/// Splits a face and checks the changed counts of all cells against the laws: always on small
+/// bodies, else often enough to cost about 20 us per split.
 FaceSplit split_by_law(Body& body, HalfFaceId face) {
   const std::size_t tetrahedra = body.map->tetrahedra();
   const bool counted = tetrahedra <= 100 || body.splits % (tetrahedra / 20) == 0;
@@ -98,8 +98,8 @@ FaceSplit split_by_law(Body& body, HalfFaceId face) {
   return split;
 }
 
-/// The contract of rows: the passed side keeps its own, the other has the copies; the oracle says
-/// yes exactly when all three differ now; and what the split tells of its cost can be.
+/// The contract of rows: the passed side keeps its own, the other has the copies. The oracle says
+/// yes exactly when all three differ now. The reported cost of the split is a possible one.
 void judge_rows(Body& body, const FaceSplit& did) {
   int different = 0;
   std::size_t least = 0;
@@ -115,7 +115,7 @@ void judge_rows(Body& body, const FaceSplit& did) {
     least = std::max(least, leaves);
     stars.push_back(stays + leaves);
   }
-  // What leaves is searched whole; no walk round an edge and no search of a star meets any twice.
+  // The leaving side is searched whole; no walk round an edge, no search of a star repeats any.
   std::sort(stars.begin(), stars.end());
   if (did.visited < least || did.visited > 3 * stars[0] + 2 * stars[1] + stars[2]) {
     body.faults.emplace_back("a split tells of fewer or more tetrahedra visited than it had to");
@@ -162,7 +162,7 @@ bool glue(Body& body, FaceSide a, FaceSide b) {
   return true;
 }
 
-/// Whether two labellings part the same rows; none() beside none() only.
+/// Whether two labellings part the same rows; none() pairs with none() only.
 template <class Row>
 bool same_partition(const std::vector<Row>& a, const std::vector<Row>& b) {
   if (a.size() != b.size()) return false;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Two nested maps under judgement: a `DenseMap` that answers, and a finer `VolumeMap` beside it, in
-// which faces are open before anybody asks, as faces are whose crack is still tied.
+// Two nested maps under judgement: a `DenseMap` that answers, and a finer `VolumeMap` with faces
+// that are opened beforehand, like the faces of a crack that is still tied.
 #include <algorithm>
 #include <memory>
 #include <optional>
@@ -67,7 +67,7 @@ bool glue(NestedMaps& maps, FaceSide a, FaceSide b) {
   const HalfFaceId f = half_face_at(maps.coarse, a), g = half_face_at(maps.coarse, b);
   if (glue_face(maps.coarse, f, g).refusal != GlueRefusal::none) return false;
   maps.labels = label_components(maps.coarse);
-  // What is glued is sewn in both, or tied: the finer map stays as it is.
+  // A glued face is sewn in both maps, or tied: then the finer map stays as it is.
   const bool sewn = is_ahead(maps.coarse, f, g) || glue_face(*maps.fine, f, g).refusal == GlueRefusal::none;
   if (!sewn) maps.faults.emplace_back("the finer map refuses to be glued");
   return true;

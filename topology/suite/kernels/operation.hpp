@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a topology kernel under judgement is asked and what it answers; in the file's own numbers,
+// The questions to a topology kernel under judgement and its answers; in the file's own numbers,
 // since a kernel's rows are its own affair.
 #pragma once
 
@@ -67,13 +67,13 @@ constexpr std::ptrdiff_t euler_characteristic(const CellCounts& c) {
          static_cast<std::ptrdiff_t>(c.edges + c.tetrahedra);
 }
 
-/// What splitting a face did.
+/// The effect of splitting a face.
 struct SplitAnswer {
   /// False: the face was on the boundary; nothing changed and nothing below holds.
   bool did = false;
-  /// The face's points whose vertex orbit came apart, rising.
+  /// The face's points at which the vertex orbit came apart, rising.
   std::vector<std::uint32_t> vertices;
-  /// The face's edges whose orbit came apart: pairs of points, each rising, in rising order.
+  /// The face's edges at which the orbit came apart: pairs of points, each rising, in rising order.
   std::vector<std::array<std::uint32_t, 2>> edges;
   /// Whether one component became two.
   bool separated = false;

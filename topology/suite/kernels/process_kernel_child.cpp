@@ -134,7 +134,7 @@ bool Child::exchange(std::string_view& to_send, int milliseconds) {
     const WithoutSigpipe guard;
     const ssize_t written = write(to_, to_send.data(), to_send.size());
     if (written > 0) to_send.remove_prefix(static_cast<std::size_t>(written));
-    // A process that reads no more may still have answered: the end of its output will tell.
+    // A process that reads no more may still have answered: the end of its output will show it.
     if (written < 0 && errno == EPIPE) to_send = {};
   }
   if (files[0].revents != 0) {
@@ -199,7 +199,7 @@ std::string Child::ask(std::string_view text, const Limits& limits) {
     }
     const double wait = std::min<double>(std::ceil(left.count()), look_every);
     if (exchange(text, static_cast<int>(wait)) || !is_gone()) continue;
-    // What it said last may have come between the two looks.
+    // Its last output may have come between the two looks.
     if (exchange(text, 0)) continue;
     throw KernelLost(why("it " + how_it_ended() + " and left its output to another process"));
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A child process that is asked in lines on its stdin and answers in lines on its stdout. What the
-// lines mean is decided elsewhere.
+// A child process that is asked in lines on its stdin and answers in lines on its stdout. The
+// meaning of the lines is decided elsewhere.
 #pragma once
 
 #include <sys/types.h>
@@ -11,8 +11,8 @@
 
 namespace sunder::suite {
 
-/// The start of what a process said, as a message quotes it: its first line, 80 characters at most,
-/// whatever is not printable ASCII as \xNN. A terminal, JSON and XML can take it.
+/// The start of a process's output, as a message quotes it: its first line, 80 characters at most,
+/// with bytes that are not printable ASCII as \xNN. A terminal, JSON and XML can take it.
 std::string in_quotes(std::string_view text);
 
 /// One process under /bin/sh, in a process group of its own; killed with all that is still in that

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The union-find twin as a kernel, with checks of its own: what it cannot glue it refuses.
+// The union-find twin as a kernel, with checks of its own: it refuses faces that cannot be glued.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -23,7 +23,7 @@ Finding refusal(const std::string& code, const std::string& text) {
   return finding;
 }
 
-/// What is wrong with single tetrahedra and points.
+/// Faults of single tetrahedra and points.
 std::set<std::string> cell_faults(const TetMesh& mesh) {
   std::set<std::string> codes;
   if (mesh.tetrahedra.empty()) codes.insert(mesh.points.empty() ? "empty_mesh" : "no_tetrahedron");
@@ -53,7 +53,7 @@ bool same_sense(const Quad& a, Quad b) {
   return same;
 }
 
-/// What keeps faces from being glued in pairs.
+/// Faults that keep faces from being glued in pairs.
 std::set<std::string> gluing_faults(const TetMesh& mesh) {
   std::set<std::string> codes;
   std::map<Quad, Quad> seen;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The long run: random bodies torn apart at random, every answer of a kernel judged; and what is
-// left of a failure when everything that it does not need is taken away.
+// The long run: random bodies torn apart at random, every answer of a kernel judged; and the
+// smallest run found that still fails.
 #pragma once
 
 #include <cstddef>
@@ -21,9 +21,9 @@ struct RandomOptions {
   /// Fans with at least one face, over all families together.
   std::size_t fans = 1000;
   std::uint64_t seed = 1;
-  /// Bodies beside the generated ones, a family each. Needs: the kernel can take them.
+  /// Bodies besides the generated ones, a family each. Needs: the kernel can take them.
   std::vector<NamedMesh> meshes;
-  /// Families whose bodies can have more tetrahedra than this are left out (`meshes` are not).
+  /// Families with bodies of possibly more tetrahedra than this are left out (`meshes` are not).
   std::size_t largest = 10000;
   /// Called after every operation with the number of fans done. May be empty.
   std::function<void(std::size_t)> progress;
@@ -33,7 +33,7 @@ struct RandomOptions {
 struct RandomFailure {
   /// The mismatch as it was first seen; `steps` are all that had been done.
   Mismatch first;
-  /// The body and the steps it was seen on, and what is left of them.
+  /// The body and the steps of the first mismatch, and a shorter run that still fails.
   StepsOnBody found, shrunk;
   /// The first mismatch of the shrunk run. None: the kernel did right when asked the same again, or
   /// the wrong answer was not one to a step (a fan's faces, homology); then nothing was taken away.
@@ -51,8 +51,8 @@ struct FamilyReport {
   CheckCounts checks;
   /// Single comparisons.
   std::size_t comparisons = 0;
-  /// Bodies whose Betti numbers over GF(2) are not told by sheets, and are computed instead. 0 for
-  /// generated bodies.
+  /// Bodies for which sheets do not give the Betti numbers over GF(2), which are computed instead.
+  /// 0 for generated bodies.
   std::size_t without_sheet_law = 0;
   std::optional<RandomFailure> failure;
 };
@@ -62,10 +62,10 @@ struct RandomReport {
   std::vector<FamilyReport> families;
 };
 
-/// Tears bodies of every family (random_run_bodies.hpp) until `fans` fans are split; see
-/// random_run_tear.hpp for what is done and random_run_trial.hpp for what is checked.
-/// `fresh_kernel` is asked for two kernels of one kind. Same seed and kernel, same report, on every
-/// machine. About 2 ms a fan for kernels as fast as `volume_map_kernel`.
+/// Tears bodies of every family (random_run_bodies.hpp) until `fans` fans are split. The operations
+/// are in random_run_tear.hpp and the checks in random_run_trial.hpp. `fresh_kernel` is asked for
+/// two kernels of one kind. Same seed and kernel, same report, on every machine. About 2 ms per fan
+/// for kernels as fast as `volume_map_kernel`.
 RandomReport run_random(const RandomOptions& options,
                         const std::function<JudgedKernel()>& fresh_kernel);
 

@@ -23,13 +23,13 @@ struct BodyFamily {
 /// Fans, stars, boxes, polycubes, rings, shells, channels, pinched bars, closed spheres, scattered
 /// tetrahedra, several bodies at once; 1 to 6 000 tetrahedra, most of them below 400. Rings and
 /// stars of 64 to 10 000 tetrahedra round one edge or vertex. All can be built; many are pinched,
-/// some are closed or disconnected. `largest` leaves families out whose bodies may have more
+/// some are closed or disconnected. `largest` leaves out families with bodies of possibly more
 /// tetrahedra than that.
 std::vector<BodyFamily> body_families(std::size_t largest);
 
 /// The same body in another guise, at random: points moved, all names and corners permuted, some
-/// tetrahedra turned inside out in the file, or everything pressed flat. None of this changes what
-/// hangs together with what.
+/// tetrahedra turned inside out in the file, or everything pressed flat. None of this changes the
+/// connections in the body.
 TetMesh disguised(TetMesh mesh, std::mt19937_64& random);
 
 }  // namespace sunder::suite

@@ -32,7 +32,7 @@ SplitAnswer part(Tear& tear, HalfFaceId face) {
   return truth;
 }
 
-/// Glues what was parted as number `i`.
+/// Glues the two sides that were parted as number `i`.
 void rejoin(Tear& tear, std::size_t i) {
   const auto [a, b] = tear.parted[i];
   tear.parted[i] = tear.parted.back();
@@ -89,7 +89,7 @@ SplitFan any_fan(const Tear& tear, std::mt19937_64& random) {
   return fan;
 }
 
-/// Splits faces from either side in any order, or as they stand; and counts what came of it.
+/// Splits faces from either side in any order, or as they stand; and counts the results.
 void part_all(TearRun& run, Tear& tear, Faces& faces) {
   if (below(run.random, 2) == 0) {
     shuffle(faces, run.random);
@@ -110,8 +110,8 @@ void part_all(TearRun& run, Tear& tear, Faces& faces) {
   }
 }
 
-/// Undoes the splits of `faces`, the latest, in any order, and does them again as they stand now:
-/// each time the map has to be what it was.
+/// Undoes the splits of `faces`, the latest, in any order, and does them again as they stand. Each
+/// time the map has to be as before.
 void redo(TearRun& run, Tear& tear, const Faces& faces) {
   for (std::size_t left = faces.size(); left > 0; --left) {
     if (tear.trial.checks.first) return;
@@ -202,7 +202,8 @@ void rejoin_some(TearRun& run, Tear& tear) {
   for (const HalfFaceId f : faces) part(tear, f);
 }
 
-/// What cannot be done and has to change nothing: splitting a boundary face, gluing a whole one.
+/// Impossible operations that have to change nothing: splitting a boundary face, gluing a whole
+/// one.
 void ask_in_vain(TearRun& run, Tear& tear) {
   ++run.counts.vain;
   const std::vector<HalfFaceId>& glued = tear.trial.twin.glued;
@@ -215,7 +216,7 @@ void ask_in_vain(TearRun& run, Tear& tear) {
 }
 
 /// Does something on a second kernel from the beginning, after the first `parted` faces were split
-/// in any order and from any sides: what hangs together then is the same.
+/// in any order and from any sides: the connections are the same then.
 template <class Act>
 void on_second(TearRun& run, Tear& tear, std::size_t parted, const Act& act) {
   Trial second = begin_trial(tear.trial.body, run.second);
@@ -246,7 +247,7 @@ void replay(TearRun& run, Tear& tear) {
   on_second(run, tear, tear.parted.size(), [](Trial&) {});
 }
 
-/// The faces of a break as the suite has them, held against the kernel's own.
+/// The faces of a break as the suite has them, compared with the kernel's own.
 Faces judged_break(Trial& trial, const BreakPoint& broken) {
   const std::vector<Step> steps = steps_of(broken, trial.twin, trial.twin, trial.body);
   judge_break(trial, broken, steps);

@@ -12,7 +12,7 @@
 
 namespace sunder::suite {
 
-/// What was done, and what came of it; steps that only undo and repeat others are not among them.
+/// Operations and their results; steps that only undo and repeat others are not among them.
 struct TearCounts {
   std::size_t operations = 0;
   /// Fans with at least one face; those without one; sections of planes; single faces.
@@ -20,7 +20,7 @@ struct TearCounts {
   /// Breaks by labels with at least one face; those without one; their groups, each of one to three
   /// cracks with labels given beforehand.
   std::size_t labelled_fans = 0, empty_labelled_fans = 0, crack_groups = 0;
-  /// Faces split by all of these, and what came apart there.
+  /// Faces split by all of these, and the cells that came apart there.
   std::size_t faces = 0, vertices = 0, edges = 0;
   /// Faces at which the oracle says yes; that part a component; at which it says no all the same.
   std::size_t alarms = 0, separations = 0, missed = 0;
@@ -64,7 +64,7 @@ struct Tear {
 
 Tear begin_tear(Trial trial);
 
-/// What goes through all bodies of a family.
+/// The state that all bodies of a family share.
 struct TearRun {
   std::mt19937_64 random;
   TearCounts counts;
@@ -73,7 +73,7 @@ struct TearRun {
 };
 
 /// One operation drawn at random: mostly the fan of a vertex, sometimes breaks by labels, a single
-/// face, a plane, gluing some of what was split, or what has to be refused.
+/// face, a plane, gluing some of the split faces, or an operation that has to be refused.
 /// Needs: a face that is whole.
 void tear_once(TearRun& run, Tear& tear);
 

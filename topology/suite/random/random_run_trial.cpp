@@ -34,7 +34,7 @@ SplitAnswer answer_to_trial(const LocalTruth& truth) {
   return answer;
 }
 
-/// Components none of whose faces is on the boundary.
+/// Components without a face on the boundary.
 std::size_t count_closed(const GlueTwin& twin) {
   const std::vector<std::uint32_t> component = component_classes(twin);
   std::vector<char> open(component.size(), 0);
@@ -53,10 +53,10 @@ std::string face_text(const Trial& trial, FaceSide side) {
                      side.tetrahedron);
 }
 
-/// What a split (or, with `undone`, the glue that undoes one) made of the counts, as the kernel has
-/// them; and of the Betti numbers, where those before are known.
+/// Checks the kernel's counts after a split (or, with `undone`, after the glue that undoes one);
+/// and the Betti numbers, if those before are known.
 void judge_laws(Trial& trial, const SplitAnswer& truth, bool undone) {
-  // Homology costs eight times what counting does.
+  // Homology costs eight times as much as counting.
   const std::size_t cost = trial.body.tetrahedra.size() * (trial.sheets_tell_betti ? 1 : 8);
   if (!due(trial.law_pace, cost)) {
     trial.betti.reset();
@@ -184,7 +184,7 @@ bool glue(Trial& trial, HalfFaceId a, HalfFaceId b) {
            can ? "refused" : "glued");
   }
   if (!can) return false;
-  // What gluing joins is what parting it again would part.
+  // Gluing joins the same cells that parting the faces again would part.
   glue_again(trial.twin, a, b);
   const SplitAnswer truth = answer_to_trial(unglue(trial.twin, a));
   glue_again(trial.twin, a, b);

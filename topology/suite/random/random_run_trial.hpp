@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One body on one kernel with the twin beside it: every step is judged as it is made.
+// One body on one kernel and on the twin: every step is judged as it is made.
 #pragma once
 
 #include <cstddef>
@@ -84,7 +84,7 @@ void judge_fan(Trial& trial, const SplitFan& fan, std::span<const Step> steps);
 void judge_break(Trial& trial, const BreakPoint& broken, std::span<const Step> steps);
 /// And for the section of a plane.
 void judge_plane(Trial& trial, const CuttingPlane& plane, std::span<const Step> steps);
-/// What the kernel has against itself.
+/// The kernel's own list of faults.
 void judge_faults(Trial& trial);
 /// Homology of the body as it is, by the twin, against the kernel's counts, the formula for b1, the
 /// universal coefficients and the kernel's own homology and orientability.

@@ -344,7 +344,7 @@ TEST_CASE("a body that overlaps itself is not valid, and its Betti numbers are i
   CHECK(json["valid"] == false);
   CHECK(std::ranges::any_of(json["findings"],
                             [](const auto& f) { return f["code"] == "overlapping_body"; }));
-  // Without the bar the sheets tell them.
+  // Without the bar the sheets give them.
   const auto shell = here.run({"check", here.write("s.msh", suite::shell({3, 3, 3})), "--json"});
   CHECK(shell.exit_code == 0);
   CHECK(shell.json()["betti"] == nlohmann::json::array({1, 0, 1}));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `sunder convert` from outside: what is written, what is said to be lost, and how it ends.
+// `sunder convert` from outside: written files, reported losses, and how it ends.
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <iterator>
@@ -137,7 +137,7 @@ TEST_CASE("for solvers that read triangles as shells they are dropped, and that 
     CHECK(mesh->edges.corners.empty());
     CHECK(mesh->tetrahedra.corners.size() == 48);
   }
-  // What is left has none, and a surface would have nothing left.
+  // The rest has none, and a surface would have nothing left.
   const Outcome again =
       here.run({"convert", here.path("solid.msh"), here.path("b.msh"), "--triangles", "drop"});
   CHECK(again.err.find("nothing was dropped") != std::string::npos);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `sunder refine` and `sunder cut`: what they write, what they tell, what they refuse.
+// `sunder refine` and `sunder cut`: their files, reports and refusals.
 #include <catch2/catch.hpp>
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,8 @@ namespace {
 
 const std::string bar = std::string(SUNDER_MESHES) + "/bar.msh";
 
-/// Two tetrahedra of two regions, their common face as a triangle, an edge of it, data of each kind.
+/// Two tetrahedra of two regions, their common face as a triangle, an edge of it, data of each
+/// kind.
 FileMesh small() {
   FileMesh mesh;
   mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, -1}};

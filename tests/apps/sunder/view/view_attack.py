@@ -4,12 +4,12 @@
 
     view_attack.py SUNDER [--only WORD] [--long MINUTES] [--seed N]
 
-starts the server on one tetrahedron, makes every attack (or those with WORD in their name) and prints
-what each took: the time until the page was answered and the growth of the server's memory. Bounds on
-times and memory are wide, so that no slow machine fails them. Exit code 1 where one was broken.
+starts the server on one tetrahedron, makes every attack (or those with WORD in their name) and
+prints its cost: the time until the page was answered and the growth of the server's memory. Bounds
+on times and memory are wide, so that no slow machine fails them. Exit code 1 where one was broken.
 
 --long sends random and half-right requests from eight clients for some minutes, with the token and
-without, beside idle and slow connections; the page must be answered all the while, the memory stay
+without, among idle and slow connections; the page must be answered all the while, the memory stay
 bounded, and the process live to its end by SIGINT.
 """
 import argparse
@@ -213,8 +213,8 @@ def attack(function):
 
 
 def refused(server, first, *headers, token=False, expect, body=400 * MEGABYTE):
-    """A request that is refused: its answer comes before a byte of its body is sent, and a body that is
-    sent all the same takes no memory. Words on what went wrong, and the growth."""
+    """A request that is refused: its answer comes before a byte of its body is sent, and a body
+    that is sent all the same takes no memory. Gives words on the faults, and the growth."""
     wrong = []
     with server.connect() as client:
         client.sendall(server.head(first, *headers, token=token))

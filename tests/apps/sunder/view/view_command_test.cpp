@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `sunder view` from outside: who is answered, what it says where it cannot start, how it ends.
+// `sunder view` from outside: the clients it answers, its message if it cannot start, how it ends.
 #include <catch2/catch.hpp>
 
 #include <signal.h>
@@ -13,7 +13,7 @@
 
 #include "tests/support/program.hpp"
 
-// Last: it brings resolv.h, whose macro _res stands in the way of Eigen.
+// Last: it brings resolv.h with a macro _res that collides with Eigen.
 #include <httplib.h>
 
 using namespace sunder::test;

@@ -129,7 +129,7 @@ TEST_CASE("a scene dropped on the page comes with its files", "[view]") {
   REQUIRE(loaded.fine);
   CHECK(report_of(loaded).pieces == 1);
   CHECK(report_of(loaded).time_step == 5e-4);
-  // Cut short in any of its parts: words, and what is loaded stays.
+  // Cut short in any of its parts: a message in words, and the loaded body stays.
   const std::string whole = load_body(request.dump(), mesh);
   for (const std::size_t size : {std::size_t{3}, std::size_t{20}, whole.size() - 50}) {
     const ViewAnswer cut = do_view_request(viewed, "load", whole.substr(0, size));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Rigid bodies and declared pieces in the elastic contact solver: six degrees of freedom, no windows.
+// Rigid bodies and declared pieces in the elastic contact solver: six degrees of freedom, no
+// windows.
 #include "fracture/simulation/rubble/rigid_pieces.hpp"
 
 #include <catch2/catch.hpp>

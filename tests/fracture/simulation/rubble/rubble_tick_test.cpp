@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The rung rubble in a simulation: laws, sleep, who is on it, and the same bytes after a pause.
+// The rung rubble in a simulation: laws, sleep, its members, and the same bytes after a pause.
 #include "fracture/simulation/rubble/rubble_tick.hpp"
 
 #include <catch2/catch.hpp>
@@ -136,7 +136,7 @@ TEST_CASE("an island with a piece that could break is no rubble", "[rubble]") {
   for (int k = 0; k < 100; ++k) {
     const StepReport report = advance(sim);
     mixed += report.rubble.mixed + report.rubble.refused;
-    // What meets the block is not on the rung while it does.
+    // A piece that meets the block is not on the rung meanwhile.
     const Component& c = sim.state->mechanics.components.back();
     if (c.rung == Rung::rubble) ++together;
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Distances to planes, spheres and boxes, swept touches, and what users get wrong.
+// Distances to planes, spheres and boxes, swept touches, and mistakes of users.
 #include "mechanics/contact/shapes/obstacle.hpp"
 #include "mechanics/contact/settings/contact_fields.hpp"
 #include "mechanics/contact/shapes/obstacle_geometry.hpp"

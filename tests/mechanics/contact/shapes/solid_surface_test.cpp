@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Closed surfaces: measures, signed distances against boxes and winding, and what is refused.
+// Closed surfaces: measures, signed distances against boxes and winding, and refusals.
 #include "mechanics/contact/shapes/solid_surface.hpp"
 #include "mechanics/contact/shapes/solid_surface_check.hpp"
 

@@ -16,7 +16,7 @@ namespace sunder::test {
 struct RowProblem {
   std::vector<RespondingBody> bodies;
   std::vector<Constraint> rows;
-  std::vector<RowResponse> responses;  ///< one a row, from `prepare_rows` on
+  std::vector<RowResponse> responses;  ///< one per row, from `prepare_rows` on
   double step = 1e-2;
 
   RowSolve solve() { return {rows, responses, bodies, step}; }
@@ -53,7 +53,7 @@ inline RespondingBody random_elastic_body(std::mt19937& random, std::span<const 
       Eigen::MatrixXd::NullaryExpr(size, size, [&] { return random_number(random, -1, 1); });
   body.elastic = step / ratio / static_cast<double>(size) * any * any.transpose();
   body.elastic.diagonal().array() += 0.1 * step / ratio;
-  // What E has of rigid response and gives back: so that the whole stays positive definite.
+  // The rigid response of E, which other terms take off again: the whole stays positive definite.
   for (std::size_t a = 0; a < arms.size(); ++a) {
     for (std::size_t b = 0; b < arms.size(); ++b) {
       Mat3 rigid = -cross_matrix(arms[a]) * body.rigid_inertia * cross_matrix(arms[b]);
@@ -101,7 +101,7 @@ inline RowProblem random_rows(unsigned seed, std::size_t count, double ratio) {
   return problem;
 }
 
-/// What `solve_contacts` fills in before it sweeps; nothing is pressed yet.
+/// The quantities that `solve_contacts` fills in before it sweeps; nothing is pressed yet.
 inline void prepare_rows(RowProblem& problem) {
   set_to_rest(problem.bodies);
   problem.responses.clear();
@@ -169,7 +169,7 @@ inline Eigen::VectorXd impulses_of(const RowProblem& problem) {
   return all;
 }
 
-/// What the motion of the bodies moves each row by, m.
+/// The displacement of each row by the motion of the bodies, m.
 inline Eigen::VectorXd displacements_of(const RowProblem& problem) {
   Eigen::VectorXd all(static_cast<Eigen::Index>(3 * problem.rows.size()));
   for (std::size_t k = 0; k < problem.rows.size(); ++k) {

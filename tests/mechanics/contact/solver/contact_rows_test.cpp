@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Ends taken together by body against every end by itself, and what impulses of rows do.
+// Ends taken together by body against every end by itself, and the effect of impulses of rows.
 #include "mechanics/contact/solver/contact_rows.hpp"
 
 #include <catch2/catch.hpp>
@@ -158,7 +158,7 @@ TEST_CASE("many impulses at once are those one by one", "[mechanics][contact][ro
   for (std::size_t k = 0; k < together.rows.size(); ++k) {
     impulses.push_back(k % 7 == 3 ? Vec3(Vec3::Zero()) : random_vector(random));
   }
-  // On top of what there is already.
+  // The second time on top of the first impulses.
   for (int twice = 0; twice < 2; ++twice) {
     add_impulses(together.rows, together.bodies, impulses);
     for (std::size_t k = 0; k < single.rows.size(); ++k) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The solver alone: complementarity, Coulomb's circle, bounds, and what it says when it gives up.
+// The solver alone: complementarity, Coulomb's circle, bounds, and its report when it gives up.
 #include "mechanics/contact/solver/contact_solve.hpp"
 
 #include <catch2/catch.hpp>
@@ -195,7 +195,7 @@ TEST_CASE("what is wedged is pressed within bounds and gains no energy, however 
   const double ratio = GENERATE(0.0, 1e2, 1e4);
   if (lean == 0 && friction == 0 && fall > 0) return;  // it falls: nothing holds it
   const double push = 1e-5;
-  // What a step would ask for.
+  // The tolerance that a step would use.
   const double tolerance = 1e-5 * std::max(fall, push);
   std::vector<Vec3> few;
   for (const int sweeps : {400, 20000}) {
@@ -212,7 +212,7 @@ TEST_CASE("what is wedged is pressed within bounds and gains no energy, however 
     for (const Constraint& row : problem.rows) {
       CHECK((moved(problem, row) - moved(anew, row)).norm() <= 1e-12 * std::max(fall, push));
     }
-    // The pushes at their most, and what holds a falling body without friction.
+    // The pushes at their most, and the impulse that holds a falling body without friction.
     double work = 0;
     for (const Constraint& row : problem.rows) {
       const double held = lean > 0 ? fall / h / std::sin(lean) : fall / h;

@@ -13,8 +13,8 @@ using namespace sunder::test;
 
 namespace {
 
-/// What impulses cost, J times the step: 1/2 f . A f + b . f, with the contacts' own give, less
-/// what pushes want. Sweeps and the subspace both minimise it.
+/// The energy of impulses, J times the step: 1/2 f . A f + b . f, with the contacts' own
+/// compliance, less the energy of pushes. Sweeps and the subspace both minimise it.
 struct Energy {
   Eigen::MatrixXd response;
   Eigen::VectorXd without;
@@ -67,7 +67,7 @@ void check_motion(const RowProblem& problem) {
   CHECK((displacements_of(problem) - moved).norm() <= 1e-11 * moved.norm());
 }
 
-/// Pushes, bounds and gives of every kind beside plain rows.
+/// Pushes, bounds and compliances of every kind among plain rows.
 RowProblem mixed_rows(unsigned seed, double ratio) {
   RowProblem problem = random_rows(seed, 16, ratio);
   for (std::size_t k = 0; k < problem.rows.size(); ++k) {

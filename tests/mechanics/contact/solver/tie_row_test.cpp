@@ -17,7 +17,7 @@ Vec3 random_vector(std::mt19937& random) {
   return {normal(random), normal(random), normal(random)};
 }
 
-/// How far an impulse is out of what a tie bears, in units of that.
+/// How far an impulse is beyond the strength of a tie, in units of that strength.
 double outside(const Constraint& row, const Vec3& impulse) {
   const double pull = std::max(0.0, -row.normal.dot(impulse));
   const Vec3 shear = impulse - row.normal.dot(impulse) * row.normal;
@@ -117,7 +117,7 @@ TEST_CASE("solved ties obey their law: stick, give along the secant, or pull all
         CHECK(left.norm() < 1e-9);
         continue;
       }
-      // At its bound: what is left of the opening goes against the impulse, as the law's direction.
+      // At its bound: the rest of the opening goes against the impulse, as the law's direction.
       const double along = row.normal.dot(left);
       const Vec3 across = left - along * row.normal;
       const double pull = -row.normal.dot(row.impulse);

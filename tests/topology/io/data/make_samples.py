@@ -106,7 +106,8 @@ meshio.tetgen.write("meshio.node", meshio.Mesh(
     mesh.points, [("tetra", mesh.cells_dict["tetra"])], point_data={"height": mesh.points[:, 2] / 3},
     cell_data={"tetgen:ref": [mesh.get_cell_data("gmsh:physical", "tetra")]}))
 
-# Abaqus' input by gmsh, by meshio, and by CalculiX' cgx, whose files are included by a small one.
+# Abaqus' input by gmsh, by meshio, and by CalculiX' cgx; the latter's files are included by a small
+# one.
 pathlib.Path("two_boxes.geo").write_text(GEO)
 gmsh("gmsh.inp", "-format", "inp")
 gmsh("gmsh_2nd.inp", "-format", "inp", "-order", "2", "-save_all")

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Regions that a format knows by words: the words, the numbers they get, the list beside.
+// Regions that a format knows by words: the words, the numbers they get, the separate list.
 #include "topology/io/regions/named_regions.hpp"
 
 #include <catch2/catch.hpp>
@@ -89,7 +89,7 @@ TEST_CASE("the list beside gives back numbers and names", "[io][named_regions]")
     };
     random_regions(mesh.triangles);
     random_regions(mesh.tetrahedra);
-    // What a format keeps of it, and what it reads back.
+    // The words that a format keeps of it, and the mesh that is read from them.
     FileMesh read = mesh;
     read.region_name = {};
     const RegionNames words = region_words(mesh.region_name);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The order of data columns over all kinds of cells, held against one that is looked for anew each
+// The order of data columns over all kinds of cells, compared with one that is found again each
 // time; kinds contradict each other, and a name stands twice.
 #include <algorithm>
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Cells of every kind that are moved, taken, dealt and joined, held against rows told one by one.
+// Cells of every kind moved, taken, dealt and joined, compared with rows listed one by one.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>

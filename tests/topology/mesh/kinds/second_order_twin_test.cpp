@@ -45,7 +45,7 @@ void append_middles(DataColumn& column, const std::vector<Ends>& ends) {
   }
 }
 
-/// What raise_order promises, said once more.
+/// A second implementation of raise_order.
 std::size_t raise(FileMesh& mesh) {
   std::map<Ends, std::uint32_t> node;
   for (const CellKind kind : all_cell_kinds) {
@@ -109,7 +109,7 @@ CurvedCells curved(const FileMesh& mesh, CellKind kind) {
       }
       const double length = std::hypot(edge[0], edge[1], edge[2]);
       const double distance = std::hypot(off[0], off[1], off[2]);
-      // An edge of no length has its node in its middle, or as far off as can be told.
+      // An edge of no length has its node in its middle, or as far off as can be measured.
       if (length == 0) most = std::max(most, distance == 0 ? 0.0 : 1.0);
       if (length > 0 && distance > 1e-6 * length) most = std::max(most, distance / length);
     }

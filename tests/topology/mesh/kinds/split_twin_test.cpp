@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Cells of every kind cut into simplices, held against a twin that takes them one by one.
+// Cells of every kind cut into simplices, compared with a twin that takes them one by one.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -55,7 +55,7 @@ Point area_of(const FileMesh& mesh, const Rows& face) {
 
 double product(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-/// What split_cells promises, said once more.
+/// A second implementation of split_cells.
 SplitCells split(FileMesh& mesh) {
   SplitCells report;
   bool any = false;
@@ -145,7 +145,7 @@ SplitCells split(FileMesh& mesh) {
 FileMesh nearly_boxes(Random& random) {
   FileMesh mesh;
   const double shake = below(random, 3) == 0 ? 0 : unit(random);
-  // 4e-6: off the plane by about as much as is told.
+  // 4e-6: off the plane by about the reported limit.
   const double bend = std::array{0.0, 1e-9, 4e-6, 1e-4}[below(random, 4)];
   for (const CellKind kind : all_cell_kinds) {
     if (traits_of(kind).dimension < 2 || below(random, 2) == 0) continue;
@@ -174,7 +174,7 @@ FileMesh nearly_boxes(Random& random) {
       std::shuffle(order.begin(), order.end(), random);
       std::vector<Point> points(mesh.points.begin() + first, mesh.points.end());
       for (std::size_t k = 0; k < n; ++k) mesh.points[order[k]] = points[k];
-      // Two neighbours become one. Of some cells a volume of nothing would be left, whose sign is a
+      // Two neighbours become one. Some cells would keep a volume of nothing, with a sign that is a
       // matter of rounding.
       const bool may_repeat = shake > 0 && linear_kind(kind) != CellKind::pyramid5;
       if (may_repeat && below(random, 5) == 0) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Boundary faces that go through each other: planted ones, and every pair held against every other
+// Boundary faces that go through each other: planted ones, and every pair compared
 // by exact signs.
 #include <algorithm>
 #include <random>
@@ -111,7 +111,7 @@ TEST_CASE("a bar through a wall is told, with the faces of both", "[topology][ch
 }
 
 TEST_CASE("what overlaps by less than the tolerance touches", "[topology][check][overlap]") {
-  // The tip of a tetrahedron goes down into a face whose longest edge is 1, and leans to one side.
+  // The tip of a tetrahedron goes down into a face with a longest edge of 1, and leans to one side.
   const std::array<std::uint32_t, 4> order =
       GENERATE(as<std::array<std::uint32_t, 4>>(), std::array{0U, 1U, 2U, 3U},
                std::array{1U, 2U, 0U, 3U}, std::array{2U, 0U, 1U, 3U});

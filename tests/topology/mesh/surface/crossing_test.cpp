@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Triangles that cross, held against twins in whole numbers: axes that part them, rays that their
+// Triangles that cross, compared with twins in whole numbers: axes that part them, rays that their
 // corners share.
 #include "topology/mesh/surface/crossing.hpp"
 

@@ -46,7 +46,7 @@ double number(Random& random, int bits, int more) {
   return random() % 2 == 0 ? size : -size;
 }
 
-/// Often a neighbour of what it was.
+/// Often moves a coordinate to a neighbouring number.
 template <std::size_t N>
 void shake(Random& random, std::array<double, N>& p) {
   double& x = p[random() % N];
@@ -85,7 +85,7 @@ TEST_CASE("the side of a plane is exact among points of all sizes", "[mesh][exac
         p[3][k] = std::nearbyint(p[0][k] + i * (p[1][k] - p[0][k]) + j * (p[2][k] - p[0][k]));
       }
     } else {
-      // In the plane of the others, far from the origin; then a unit in the last place beside it.
+      // In the plane of the others, far from the origin; then a unit in the last place off it.
       p[0] = point<3>(random, 50, round % 3 == 1 ? 0 : 20);
       const Point u = point<3>(random, 20, 0), v = point<3>(random, 22, 0);
       const double i = number(random, 4, 0), j = number(random, 4, 0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// All that is said of surfaces, careless ones too, held against sets, maps and whole numbers.
+// All findings about surfaces, careless ones too, compared with sets, maps and whole numbers.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -39,7 +39,7 @@ struct Found {
   std::vector<std::uint32_t> rows;
 };
 
-/// What check_surface promises, said once more.
+/// A second implementation of check_surface.
 struct Twin {
   explicit Twin(const FileMesh& given) : x(given.points) {
     std::map<Point, std::uint32_t> lowest;

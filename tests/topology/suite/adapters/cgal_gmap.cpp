@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // CGAL's Linear_cell_complex on a generalized map as a kernel under judgement: cells sewn and
-// unsewn by its managed sew<3> and unsew<3>, splits told by its functors on 0- and 1-attributes.
-// A generalized map has no orientation: tetrahedra are sewn as the file has them.
+// unsewn by its managed sew<3> and unsew<3>, splits seen by its functors on 0- and 1-attributes. A
+// generalized map has no orientation: tetrahedra are sewn as the file has them.
 #include <CGAL/Cell_attribute.h>
 #include <CGAL/Cell_attribute_with_point.h>
 #include <CGAL/Linear_cell_complex_for_generalized_map.h>

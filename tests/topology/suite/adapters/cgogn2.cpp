@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // CGoGN_2's CMap3 as a kernel under judgement: volumes sewn and unsewn by its sew_volumes and
-// unsew_volumes. What came apart is told by the embeddings of vertices and edges that these
+// unsew_volumes. The separated cells follow from the embeddings of vertices and edges that these
 // operations keep, and the numbers of cells are those of the embeddings.
 #include <cgogn/core/cmap/cmap3.h>
 #include <cgogn/core/cmap/cmap3_builder.h>

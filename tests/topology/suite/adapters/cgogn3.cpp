@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // CGoGN_3's CMap3 as a kernel under judgement. It has no unsewing of volumes: the boundary is
-// mended here, by the six links that differ, and everything else is CGoGN's: what came apart is
-// told by its orbits, cells are counted by its traversals over the indices it keeps.
+// mended here, by the six links that differ, and everything else is CGoGN's. Its orbits give the
+// separated cells, and its traversals over the indices it keeps count the cells.
 // CGoGN's headers need this order.
 // clang-format off
 #include <cgogn/core/types/maps/cmap/cmap3.h>

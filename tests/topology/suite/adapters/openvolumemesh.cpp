@@ -233,8 +233,8 @@ class Kernel {
     mesh_.set_edge(e, from == old ? fresh : from, to == old ? fresh : to);
   }
 
-  /// Makes the edges and vertices of g those of f, whose points it has the other way round; false
-  /// when it has not.
+  /// Makes the edges and vertices of g those of f, which has the same points the other way round;
+  /// false when it has not.
   bool join_edges(HalfFaceHandle f, HalfFaceHandle g) {
     const std::vector<HalfEdgeHandle> to = mesh_.halfface(f).halfedges();
     std::vector<HalfEdgeHandle> from;

@@ -147,8 +147,8 @@ class ReginaKernel:
         return [t.component().index() for t in self.whole.tetrahedra()]
 
     def homology(self):
-        """From Regina's boundary matrices of the cells as they are: its own homology() cuts off the
-        vertices whose links are no spheres or discs, and such vertices come with every cut."""
+        """From Regina's boundary matrices of the cells as they are: its own homology() cuts off
+        vertices with links that are no spheres or discs, and such vertices come with every cut."""
         whole = self.whole
         if whole.size() > LARGEST_HOMOLOGY:
             return "homology none"

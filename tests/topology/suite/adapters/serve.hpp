@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What every adapter in C++ shares: the loop over questions of docs/reference/suite.md, common
-// faces of a body as it is read, and turning its tetrahedra round until they lie alike. It knows no
-// library, and nothing of Sunder.
+// The shared part of all adapters in C++: the loop over questions of docs/reference/suite.md,
+// common faces of a body as it is read, and turning its tetrahedra round until they lie alike. It
+// knows no library, and nothing of Sunder.
 #pragma once
 
 #include <algorithm>
@@ -29,7 +29,7 @@ struct Side {
   std::uint32_t tetrahedron = 0, opposite = 0;
 };
 
-/// What came apart when a face was split: points and edges of it, and whether a component did.
+/// The cells that came apart when a face was split: points and edges of it, and any component.
 struct Parted {
   std::vector<std::uint32_t> vertices;
   std::vector<std::array<std::uint32_t, 2>> edges;
@@ -207,7 +207,7 @@ inline void say(std::ostream& out, const std::optional<Parted>& parted) {
 template <class Kernel>
 int serve(Kernel&& kernel, const std::string& name) {
   std::ios::sync_with_stdio(false);
-  // Some libraries tell things on std::cout, where only answers belong.
+  // Some libraries print messages on std::cout, where only answers belong.
   std::ostream out(std::cout.rdbuf());
   std::cout.rdbuf(std::cerr.rdbuf());
   std::string word;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Cracks from the command line: what is cut, what is written, what is refused.
+// Cracks from the command line: cut faces, written files, refusals.
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <string>
@@ -36,7 +36,7 @@ TEST_CASE("a plane cuts the bar in two, and the pairs are listed", "[apps][conve
   CHECK(lines_that_begin(pairs, "face,") == 48);
   const Outcome check = here.run({"check", here.path("a.vtu")});
   CHECK(check.out.find("components                   2") != std::string::npos);
-  // What was cut apart can be glued again.
+  // Separated points can be glued again.
   const Outcome glued =
       here.run({"convert", here.path("a.vtu"), here.path("b.vtu"), "--merge-points", "0"});
   REQUIRE(glued.exit_code == 0);
