@@ -1,7 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""`sunder cut --exact` on tetrahedra of other programs, compared with VTK's clip and with
-rationals.
+"""`sunder cut --exact` on tetrahedra of other programs, compared with VTK's clip and rationals.
 
     tests/experiments/cells/foreign_cuts.py [--sunder build/release/sunder] [--mesher build/release/sunder-mesh] [--keep DIR]
 

@@ -93,8 +93,8 @@ TEST_CASE("a block lying on two supports stands below its static limit and break
   scene.obstacles = {
       {.shape = Box{.center = {-0.9, 0, 0.3}, .half_extent = {0.15, 0.6, 0.3}}, .friction = 0.6},
       {.shape = Box{.center = {0.9, 0, 0.3}, .half_extent = {0.15, 0.6, 0.3}}, .friction = 0.6}};
-  // The load on contact is not linear in the weight, so the limit is found by equilibrium under
-  // constant gravity: settled, its largest stress shows how far it is from the threshold.
+  // A body held up by contact does not respond linearly to its weight. So the limit is found by
+  // equilibrium under constant gravity: settled, its largest stress shows how far the threshold is.
   Scene calm = scene;
   calm.fracture.mode = FractureMode::off;
   calm.gravity.ramp_time = 0.5;
