@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Fans at random vertices, and what is measured at each.
+// Fans at random vertices, and the measurements at each.
 #include "apps/bench/bench_fans.hpp"
 
 #include <algorithm>
@@ -187,8 +187,8 @@ double face_efficiency(const OracleCount& c) {
   return 100 * static_cast<double>(c.faces_true) / static_cast<double>(c.faces_yes);
 }
 
-/// What the oracle said up to a tenth of the interior faces; from the first until 55 per cent of
-/// all fans have parted a component, which is the paper's share; and up to the last.
+/// Counts of the oracle's answers. `early`: up to a tenth of the interior faces. `as_paper`: from
+/// there on until 55 per cent of all fans have parted a component, the paper's share. `whole`: all.
 struct OracleRun {
   std::size_t faces = 0;
   OracleCount early, as_paper, whole;

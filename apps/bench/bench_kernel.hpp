@@ -18,7 +18,7 @@ struct KernelBenchSettings {
   /// Times are medians over this many runs; at least 1.
   int runs = 5;
   std::uint64_t seed = 1;
-  /// What answers for the maps.
+  /// The kernel of all maps.
   MapKernel kernel = MapKernel::dense;
 };
 

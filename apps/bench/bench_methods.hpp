@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `sunder bench methods`: what a step costs by every integrator and model, side by side.
+// `sunder bench methods`: the cost of a step by every integrator and model, side by side.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `sunder bench step`: what a step without contact and cracks costs, in parts, and its factor.
+// `sunder bench step`: the cost of a step without contact and cracks, in parts, and its factor.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `sunder bench threshold`: what the test of one unbroken vertex costs in each of its ways.
+// `sunder bench threshold`: the cost of the test of one unbroken vertex in each of its ways.
 #pragma once
 
 #include <cstdint>

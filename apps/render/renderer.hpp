@@ -39,7 +39,7 @@ class Renderer {
   /// Leaves the renderer's own context, if it has one, current on this thread.
   Result<Image> render(const FrameScene& scene, const Camera& camera, int width, int height);
 
-  /// Draws into a framebuffer of the current context; what `render` does but for the copy to
+  /// Draws into a framebuffer of the current context, as `render` does but without the copy to
   /// memory. Leaves that framebuffer bound. Findings as those of `render`.
   std::vector<Finding> draw(const FrameScene& scene, const Camera& camera,
                             const DrawTarget& target);

@@ -22,7 +22,7 @@ struct PaperBenchSettings {
   int runs = 1;
 };
 
-/// One number of one scene in one mode; `mode` is `theirs` for what the paper says.
+/// One number of one scene in one mode; `mode` is `theirs` for the paper's own numbers.
 struct PaperFigure {
   std::string scene, mode, quantity;
   double value = 0;
@@ -33,7 +33,7 @@ struct PaperBench {
   int runs = 0;
   bool quick = false;
   std::vector<PaperFigure> figures;
-  /// What did not go as it should: runs that ended early.
+  /// Notes on runs that ended early.
   std::vector<std::string> notes;
 };
 
