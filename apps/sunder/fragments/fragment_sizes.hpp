@@ -14,7 +14,7 @@
 
 namespace sunder {
 
-/// What counts as the size of a piece.
+/// The measure of a piece's size.
 enum class SizeMeasure { volume, size, mass };
 inline constexpr std::array<std::string_view, 3> size_measure_names = {"volume", "size", "mass"};
 inline constexpr std::array<std::string_view, 3> size_measure_units = {"m^3", "m", "kg"};

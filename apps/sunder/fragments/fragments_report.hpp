@@ -9,7 +9,7 @@
 
 namespace sunder {
 
-/// Lines for people: counts, the control, a table of laws, what they say; or that a fit would say
+/// Lines for people: counts, the control, a table of laws, a verdict; or that a fit would say
 /// nothing.
 std::string fragments_text(const FragmentSizes& sizes);
 

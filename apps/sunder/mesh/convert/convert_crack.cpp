@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From the command line to cut faces, and what came of them as words and as a list.
+// From the command line to cut faces, and the crack in words and as a list.
 #include "apps/sunder/mesh/convert/convert_crack.hpp"
 
 #include <fmt/format.h>

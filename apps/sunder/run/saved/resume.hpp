@@ -16,7 +16,7 @@ struct RunOnItsWay {
   Recorder recorder;
 };
 
-/// Goes on in `folder` from its latest checkpoint; what lies there beyond it is taken away. `until`
+/// Goes on in `folder` from its latest checkpoint; later content of the folder is removed. `until`
 /// above 0: to that time, s; frames and pictures go on at the distance they have. Errors:
 /// those of `read_checkpoint` and `Recorder::go_on`, other_log (events.jsonl is not that of the
 /// checkpoint), over_already; too_many_steps, too_many_frames, too_many_pictures (of `until`, or of
