@@ -40,8 +40,8 @@ Point random_direction(std::mt19937_64& random) {
   }
 }
 
-/// Fans that are not empty, each at a vertex of the next interior face of a random list, until no
-/// face is left or `split`, which has to split all faces it is given, says false. The same seed
+/// Fans that are not empty, each at a vertex of the next interior face of a random list. `split` has
+/// to split all faces it is given. Ends when no face is left or `split` says false. The same seed
 /// gives the same fans.
 template <class Split>
 void random_fans(const VolumeMap& map, std::uint64_t seed, const Split& split) {
@@ -187,8 +187,9 @@ double face_efficiency(const OracleCount& c) {
   return 100 * static_cast<double>(c.faces_true) / static_cast<double>(c.faces_yes);
 }
 
-/// Counts of the oracle's answers. `early`: up to a tenth of the interior faces. `as_paper`: from
-/// there on until 55 per cent of all fans have parted a component, the paper's share. `whole`: all.
+/// Counts of the oracle's answers from the first fan on. `early`: up to a tenth of the interior
+/// faces. `as_paper`: beyond that, until 55 per cent of all fans have parted a component, which is
+/// the paper's share. `whole`: up to the last fan.
 struct OracleRun {
   std::size_t faces = 0;
   OracleCount early, as_paper, whole;

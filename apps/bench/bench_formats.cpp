@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A box of tetrahedra through every format, version and encoding, with the clock beside.
+// A box of tetrahedra written and read in every format, version and encoding, with times.
 #include "apps/bench/bench_formats.hpp"
 
 #include <fmt/format.h>

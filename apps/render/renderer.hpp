@@ -35,7 +35,7 @@ class Renderer {
 
   /// The picture of a scene. The same input gives the same bytes on the same driver.
   /// Errors: those of `check` for scene and camera, `image_size` (a side below 1),
-  /// `image_too_large`, `drawing_failed`. Warnings stand beside the picture.
+  /// `image_too_large`, `drawing_failed`. Warnings come with the picture.
   /// Leaves the renderer's own context, if it has one, current on this thread.
   Result<Image> render(const FrameScene& scene, const Camera& camera, int width, int height);
 

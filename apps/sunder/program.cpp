@@ -153,7 +153,7 @@ int parse_and_run(std::vector<std::string> words, const AddCommands& add_command
 int with_all_printed(int exit_code) {
   errno = 0;
   if (!output_was_lost()) return exit_code;
-  // Whoever reads may go when it has enough (| head): that is no news.
+  // A reader may close the pipe when it has enough (| head): that needs no message.
   if (errno == EPIPE) return static_cast<int>(ExitCode::not_written);
   print(stderr, "sunder: the result cannot be written to standard output{}{}\n",
         errno == 0 ? "" : ": ", errno == 0 ? "" : std::generic_category().message(errno));

@@ -91,7 +91,7 @@ struct Chart {
 /// An error as it counts: not below the reference's own.
 double counted_error(const ChartReference& reference, double error);
 
-/// Runs everything. `told` hears of every run before it begins. Errors: unknown_quantity,
+/// Runs everything. `told` is called before every run. Errors: unknown_quantity,
 /// unknown_method, bad_setting, no_reference, and those of reading and building the scene.
 Result<Chart> make_chart(const ChartArguments& arguments,
                          const std::function<void(const std::string&)>& told);

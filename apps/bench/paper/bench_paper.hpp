@@ -40,8 +40,8 @@ struct PaperBench {
 std::optional<double> figure_of(const PaperBench& bench, std::string_view scene,
                                 std::string_view mode, std::string_view quantity);
 
-/// Runs everything. Counts depend on the scenes alone, times on the machine. `progress` is told
-/// each run before its turn. Errors: those of reading and building the scenes.
+/// Runs everything. Counts depend on the scenes alone, times on the machine. `progress` is called
+/// with each run before its turn. Errors: those of reading and building the scenes.
 Result<PaperBench> bench_paper(const PaperBenchSettings& settings,
                                const std::function<void(const std::string&)>& progress);
 

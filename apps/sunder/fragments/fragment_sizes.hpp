@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How large the pieces of a run are: laws fitted to them, beside the mesh's own elements.
+// The sizes of the pieces of a run: laws fitted to them and to the mesh's own elements.
 #pragma once
 
 #include <array>

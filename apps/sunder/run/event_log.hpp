@@ -21,8 +21,8 @@ inline constexpr int event_log_format = 3;
 /// The words of `RunEnd`, as report and log have them.
 std::string_view to_string(RunEnd end);
 
-/// The JSON of one line of a log, or discarded: where it is none, or nested deeper than any line is
-/// (64 levels), since code that walks through values calls itself.
+/// The JSON of one line of a log, or discarded: where it is no JSON, or nested deeper than any line
+/// is (64 levels), since code that walks through values calls itself.
 nlohmann::ordered_json parse_line(std::string_view text);
 
 /// When a fan or a release happened.

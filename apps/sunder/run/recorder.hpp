@@ -30,8 +30,8 @@ struct RecordedRun {
 };
 
 /// Keeps the files of a run. Guarded: `frames.pvd` lists exactly the frames that are there, and a
-/// picture's number is its place in time. The log grows with the run; all other files are written
-/// beside and renamed. A checkpoint stands on the disk only after all files that it speaks of.
+/// picture's number is its place in time. The log grows with the run. All other files are written
+/// under another name and renamed. A checkpoint is on the disk only after all files that it names.
 ///
 ///     folder/frames.pvd  frames/frame_000000.vtu ...   picture_000.png ...
 ///            events.jsonl  cracks.csv  fragments.csv  obstacles.csv  history.csv
@@ -76,8 +76,8 @@ class Recorder {
   /// where that was not kept, of the last one that was. Errors: cannot_write.
   std::vector<Finding> finish(const Simulation& now, RunEnd end);
 
-  /// The fault of the report of a run that ends now, if it has one: not_a_number with the key of
-  /// the first number that is none. JSON has no such numbers, and would have null.
+  /// The fault of the report of a run that ends now, if it has one: not_a_number with the key of the
+  /// first value that is not a number. JSON cannot hold it, and would have null.
   std::optional<Finding> report_fault(const Simulation& now) const;
 
   /// The step of the checkpoint that `finish` wrote of an interrupted run, if it did.

@@ -16,7 +16,7 @@
 namespace sunder {
 namespace {
 
-/// Faces of one kind of naming, beside those found before.
+/// The faces that the options name, and the findings of looking for them.
 struct Named {
   CutFaces faces;
   std::vector<Finding> findings;

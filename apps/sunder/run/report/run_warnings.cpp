@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Troubles noted step by step, told at the end.
+// Troubles noted step by step, and warnings of them at the end.
 #include "apps/sunder/run/report/run_warnings.hpp"
 
 #include <fmt/format.h>

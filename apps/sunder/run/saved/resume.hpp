@@ -30,7 +30,7 @@ Result<RunOnItsWay> copy_run(const std::filesystem::path& folder, std::uint64_t 
 
 /// The run goes on by the settings of `changed` from here: gravity, contact, impact, fracture but
 /// its crack and criterion, ladder, kernel, ledger, output and duration may differ from those it
-/// had. Its log says so, and is no log to replay. Errors: not_in_mid_run, beside those above.
+/// had. Its log says so, and cannot be replayed. Errors: not_in_mid_run and those above.
 Result<RunOnItsWay> change_settings(const std::filesystem::path& folder, const SceneFile& changed);
 
 }  // namespace sunder
