@@ -40,9 +40,9 @@ Point random_direction(std::mt19937_64& random) {
   }
 }
 
-/// Fans that are not empty, each at a vertex of the next interior face of a random list. `split` has
-/// to split all faces it is given. Ends when no face is left or `split` says false. The same seed
-/// gives the same fans.
+/// Fans that are not empty, each at a vertex of the next interior face of a random list. `split`
+/// has to split all faces it is given. Ends when no face is left or `split` says false. The same
+/// seed gives the same fans.
 template <class Split>
 void random_fans(const VolumeMap& map, std::uint64_t seed, const Split& split) {
   std::mt19937_64 random(seed);

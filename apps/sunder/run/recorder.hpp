@@ -76,8 +76,8 @@ class Recorder {
   /// where that was not kept, of the last one that was. Errors: cannot_write.
   std::vector<Finding> finish(const Simulation& now, RunEnd end);
 
-  /// The fault of the report of a run that ends now, if it has one: not_a_number with the key of the
-  /// first value that is not a number. JSON cannot hold it, and would have null.
+  /// The fault of the report of a run that ends now, if it has one: not_a_number with the key of
+  /// the first value that is not a number. JSON cannot hold it, and would have null.
   std::optional<Finding> report_fault(const Simulation& now) const;
 
   /// The step of the checkpoint that `finish` wrote of an interrupted run, if it did.
