@@ -104,6 +104,7 @@ struct Table {
 };
 
 /// The text of a file next to the frames. Runs of earlier versions may lack it: then it is empty.
+/// A file that is there must be readable.
 std::string text_of(const std::filesystem::path& path, std::vector<Finding>& findings) {
   std::ifstream in(path, std::ios::binary);
   std::error_code unknown;
