@@ -16,7 +16,7 @@ extern "C" void openblas_set_num_threads(int);
 namespace sunder {
 namespace {
 
-/// CHOLMOD's workspace and what was made in it, freed together.
+/// CHOLMOD's workspace and the factor made in it, freed together.
 struct Cholmod {
   cholmod_common common{};
   cholmod_factor* factor = nullptr;

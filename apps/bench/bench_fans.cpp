@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Fans at random vertices, and what is measured at each.
+// Fans at random vertices, and the measurements at each.
 #include "apps/bench/bench_fans.hpp"
 
 #include <algorithm>
@@ -40,9 +40,9 @@ Point random_direction(std::mt19937_64& random) {
   }
 }
 
-/// Fans that are not empty, each at a vertex of the next interior face of a random list, until no
-/// face is left or `split`, which has to split all faces it is given, says false. The same seed
-/// gives the same fans.
+/// Fans that are not empty, each at a vertex of the next interior face of a random list. `split`
+/// has to split all faces it is given. Ends when no face is left or `split` says false. The same
+/// seed gives the same fans.
 template <class Split>
 void random_fans(const VolumeMap& map, std::uint64_t seed, const Split& split) {
   std::mt19937_64 random(seed);
@@ -187,8 +187,9 @@ double face_efficiency(const OracleCount& c) {
   return 100 * static_cast<double>(c.faces_true) / static_cast<double>(c.faces_yes);
 }
 
-/// What the oracle said up to a tenth of the interior faces; from the first until 55 per cent of
-/// all fans have parted a component, which is the paper's share; and up to the last.
+/// Counts of the oracle's answers from the first fan on. `early`: up to a tenth of the interior
+/// faces. `as_paper`: beyond that, until 55 per cent of all fans have parted a component, which is
+/// the paper's share. `whole`: up to the last fan.
 struct OracleRun {
   std::size_t faces = 0;
   OracleCount early, as_paper, whole;

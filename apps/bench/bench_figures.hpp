@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What `sunder bench kernel` measures, by name, and the figures it collects.
+// The quantities that `sunder bench kernel` measures, by name, and the figures it collects.
 #pragma once
 
 #include <cstddef>
@@ -45,7 +45,7 @@ struct BenchFigure {
   double value = 0;
 };
 
-/// All figures of a run, and what they depend on.
+/// All figures of a run, with the machine, the number of runs and the seed.
 struct KernelBench {
   std::string machine;
   int runs = 0;

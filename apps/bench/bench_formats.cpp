@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A box of tetrahedra through every format, version and encoding, with the clock beside.
+// A box of tetrahedra written and read in every format, version and encoding, with times.
 #include "apps/bench/bench_formats.hpp"
 
 #include <fmt/format.h>
@@ -111,7 +111,7 @@ std::vector<Row> all_rows() {
   return rows;
 }
 
-/// Fills a row's figures; what went wrong, if anything did.
+/// Fills a row's figures. Gives the findings of a write or read that failed, else none.
 std::vector<Finding> measure(Row& row, const FileMesh& mesh, const Settings& settings) {
   const std::filesystem::path path = settings.keep / row.file;
   std::vector<double> write_us, read_us;

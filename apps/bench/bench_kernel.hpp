@@ -18,7 +18,7 @@ struct KernelBenchSettings {
   /// Times are medians over this many runs; at least 1.
   int runs = 5;
   std::uint64_t seed = 1;
-  /// What answers for the maps.
+  /// The kernel of all maps.
   MapKernel kernel = MapKernel::dense;
 };
 
@@ -33,8 +33,8 @@ struct BenchBody {
 /// Cubes of 384, 6 000, 48 000 and 384 000 tetrahedra; rings of 48, 4 560 and 28 320.
 std::vector<BenchBody> bench_bodies(bool quick);
 
-/// Measures everything. `progress` is told each body before its turn. Counts depend on the seed
-/// alone, times on the machine.
+/// Measures everything. `progress` is called with each body before its turn. Counts depend on the
+/// seed alone, times on the machine.
 KernelBench bench_kernel(const KernelBenchSettings& settings,
                          const std::function<void(const BenchBody&)>& progress);
 

@@ -45,7 +45,7 @@ std::vector<Method> methods() {
   };
 }
 
-/// What body, how stiff, how long a step, how much deformed (over its size).
+/// A body, its stiffness, its time step, and its deformation (over its size).
 struct Case {
   std::string_view name;
   TetMesh mesh;

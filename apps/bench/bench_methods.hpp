@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `sunder bench methods`: what a step costs by every integrator and model, side by side.
+// `sunder bench methods`: the cost of a step by every integrator and model, side by side.
 #pragma once
 
 #include <cstdint>
@@ -36,7 +36,8 @@ struct MethodBench {
   std::vector<MethodFigure> figures;
 };
 
-/// Measures everything. `progress` is told each body before its turn. Errors: those of building it.
+/// Measures everything. `progress` is called with each body before its turn. Errors: those of
+/// building it.
 Result<MethodBench> bench_methods(const MethodBenchSettings& settings,
                                   const std::function<void(const std::string&)>& progress);
 

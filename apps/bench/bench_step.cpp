@@ -99,7 +99,7 @@ void measure_others(const ComponentSystem& system, const Sink& sink) {
   sink.add("cholmod_difference", cholmod->error);
 }
 
-/// What the constant matrices of the body cost to make.
+/// The cost of making the constant matrices of the body.
 void measure_factor(Simulation& sim, const Sink& sink) {
   const MechanicsState& m = sim.state->mechanics;
   const Component& component = m.components.front();
@@ -186,7 +186,7 @@ void crack(MechanicsState& m, std::vector<Corners>& corners, std::span<const Ver
   }
 }
 
-/// What a crack costs: old factor under a border, or all anew.
+/// The cost of a crack: with the old factor under a border, or with all built again.
 void measure_crack(const Simulation& sim, std::size_t count, const Sink& sink) {
   MechanicsState m = sim.state->mechanics;
   const auto before = sim.state->cells.map.corners();
@@ -221,8 +221,8 @@ void measure_crack(const Simulation& sim, std::size_t count, const Sink& sink) {
   sink.add(name + "_even", (anew - bordered) / (solve - plain));
 }
 
-/// Whole steps over moduli and steps; largest over least. Simulations take turns, so that what else
-/// the machine does meets all of them alike.
+/// Whole steps over moduli and steps; largest over least. Simulations take turns, so that the
+/// machine's other work slows all of them alike.
 std::vector<Finding> measure_range(const TetMesh& mesh, Sink sink) {
   std::vector<Simulation> sims;
   for (const double modulus : moduli) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `sunder bench step`: what a step without contact and cracks costs, in parts, and its factor.
+// `sunder bench step`: the cost of a step without contact and cracks, in parts, and its factor.
 #pragma once
 
 #include <array>
@@ -52,8 +52,8 @@ struct StepBench {
 /// Numbers of vertices that are split in the cracks measured.
 inline constexpr std::array<std::size_t, 4> crack_sizes = {1, 3, 10, 30};
 
-/// Measures everything. `progress` is told each body before its turn. Errors: those of reading and
-/// building the bodies.
+/// Measures everything. `progress` is called with each body before its turn. Errors: those of
+/// reading and building the bodies.
 Result<StepBench> bench_step(const StepBenchSettings& settings,
                              const std::function<void(const std::string&)>& progress);
 

@@ -36,8 +36,8 @@ void add_unbroken(StressSample& unbroken, const StressSample& sample) {
   }
 }
 
-/// Symmetric tensors whose entries are even in [-1, 1] times a scale, even in logarithm from 1e-3
-/// to 1 times the threshold: most are far below it, as in a body.
+/// Symmetric tensors with entries uniform in [-1, 1] times a scale. The scale is uniform in
+/// logarithm from 1e-3 to 1 times the threshold: most tensors are far below it, as in a body.
 StressSample random_stresses(std::uint64_t seed) {
   constexpr double xi = 3e6;
   std::mt19937_64 random(seed);
@@ -57,7 +57,7 @@ StressSample random_stresses(std::uint64_t seed) {
 
 /// Median over the runs of the time of one pass, ns a tensor.
 double time_test(const StressSample& sample, ThresholdTest way, int runs) {
-  // What is found must be used, or nothing would be computed.
+  // The results must be used, or the compiler would leave out the computation.
   volatile std::size_t sink = 0;
   // Short samples are gone through several times, since the clock costs 0.3 us.
   const std::size_t passes = 1 + 20'000 / sample.stress.size();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `sunder bench threshold`: what the test of one unbroken vertex costs in each of its ways.
+// `sunder bench threshold`: the cost of the test of one unbroken vertex in each of its ways.
 #pragma once
 
 #include <cstdint>
@@ -37,8 +37,8 @@ struct ThresholdBench {
 };
 
 /// Runs the beginnings of the scenes for their node stresses and tests those below their thresholds
-/// again and again; then 10^5 random tensors. `progress` is told each source before its turn.
-/// Errors: those of reading and building the scenes.
+/// again and again; then 10^5 random tensors. `progress` is called with each source before its
+/// turn. Errors: those of reading and building the scenes.
 Result<ThresholdBench> bench_threshold(const ThresholdBenchSettings& settings,
                                        const std::function<void(const std::string&)>& progress);
 

@@ -40,8 +40,8 @@ void add_spin(Fragment& f, const Component& component, const VertexColumns& v) {
   f.spin = solve3(f.lumped_inertia, L);
 }
 
-/// What a face counts of its crack, along the mean normal of the crack's anchors around; whole
-/// where there are none. `area`: its area vector.
+/// The area of a face as it counts for its crack: projected along the mean normal of the crack's
+/// anchors around it, or whole where there are none. `area`: its area vector.
 double area_of_crack(const Cells& cells, HalfFaceId face, const Vec3& area) {
   if (cells.cracks.of_face.empty()) return area.norm();
   const CrackId crack = cells.cracks.of_face[face.index()];

@@ -15,7 +15,7 @@
 namespace sunder {
 namespace {
 
-/// Which body and region every tetrahedron came from: what splits do not change.
+/// The body and region that every tetrahedron came from. Splits do not change them.
 struct Origins {
   std::vector<std::int32_t> body;
   /// 0 where the mesh names no regions.

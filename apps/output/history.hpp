@@ -31,7 +31,7 @@ struct History {
   std::uint64_t last_row = no_step;  ///< step of the last row
 };
 
-/// A history whose first row is the present state, with forces of 0.
+/// A history with the present state as its first row, with forces of 0.
 History begin_history(const Simulation& start);
 
 /// Adds the forces, works and overlaps of one step. O(obstacles + held boxes + loads). Needs:

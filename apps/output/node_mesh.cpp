@@ -10,7 +10,7 @@
 namespace sunder {
 namespace {
 
-/// What is said of the cells of one order.
+/// Columns of the cells of one order.
 struct CellData {
   std::vector<std::int64_t> component, body, crack, crack_side;
 };

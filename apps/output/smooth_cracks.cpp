@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Planes of cracks at points, what the outer surface allows, and the bound by shapes.
+// Planes of cracks at points, the moves that the outer surface allows, and the bound by shapes.
 #include "apps/output/smooth_cracks.hpp"
 
 #include <Eigen/Dense>
@@ -16,19 +16,20 @@
 namespace sunder {
 namespace {
 
-/// sin^2 of 0.35 rad, half the angle at which pictures take an edge of the skin for sharp: what
-/// less of the normals' spread leaves a direction free.
+/// sin^2 of 0.35 rad, half the angle at which pictures take an edge of the skin for sharp. A
+/// direction is free where the spread of the skin's normals along it is less than this share.
 constexpr double sharp = 0.118;
 
-/// Of the planes' normals, squared: directions in which they say less than this stay as they are.
-/// Two planes at 41 degrees, or one that stands at 60 degrees to what the skin allows.
+/// Least eigenvalue of the squared normals of the planes: points do not move along directions below
+/// it. Two planes at 41 degrees have it, or the normal of one at 60 degrees to the skin.
 constexpr double well_conditioned = 0.25;
 
-/// What a bad tetrahedron leaves of the moves of its points, and how often before they are none.
+/// A bad tetrahedron shortens the moves of its points by this factor. After so many times the moves
+/// are zero.
 constexpr double shorter = 0.9;
 constexpr int most_shortenings = 80;
 
-/// What surrounds a point on crack faces.
+/// The surroundings of a point on crack faces.
 struct CrackPoint {
   std::uint32_t point = 0;
   std::vector<CrackId> cracks;                     ///< of its faces
@@ -133,10 +134,10 @@ SkinAtPoint skin_at(const Body& body, const CrackPoint& p) {
   return skin;
 }
 
-/// The move brought onto the outer faces of the point, along the mean normal, and cut off where it
-/// would leave them: a point of the face whose corner it lies in.
+/// The move, brought along the mean normal onto the outer faces of the point and cut off where it
+/// would leave them. It ends in the face with the corner that it points into.
 Vec3 on_skin(const Body& body, const CrackPoint& p, const Vec3& normal, const Vec3& move) {
-  double best = -1e-9;  // what rounding leaves of a move along an edge between two faces
+  double best = -1e-9;  // rounding of a move along an edge between two faces
   Vec3 on = Vec3::Zero();
   for (const auto& [a, b] : p.skin) {
     Mat3 frame;

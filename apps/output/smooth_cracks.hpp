@@ -22,7 +22,7 @@ namespace sunder {
 /// O(|T| + points on crack faces x anchors of their cracks).
 std::vector<Vec3> smooth_crack_moves(const Cells& cells);
 
-/// Of its mean ratio, 12 (3 V)^(2/3) / (sum of squared edges), what a tetrahedron keeps at least.
+/// Least share that a tetrahedron keeps of its mean ratio, 12 (3 V)^(2/3) / (sum of squared edges).
 inline constexpr double smooth_shape_share = 0.25;
 
 }  // namespace sunder

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What one picture shows, as plain data: surfaces, planes, spheres, boxes, light, background.
+// The content of one picture, as plain data: surfaces, planes, spheres, boxes, light, background.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -103,8 +103,8 @@ struct FrameScene {
   std::vector<Box> boxes;
   Lighting light;
   Background background;
-  /// What sets the grid's spacing, where planes fade and how far occlusion reaches. Empty takes the
-  /// scene's own bounds; the frames of a film need the same one, or the ground changes under them.
+  /// Sets the grid's spacing, where planes fade and how far occlusion reaches. If it is empty, the
+  /// scene's own bounds do. Frames of a film need the same one, or the ground changes under them.
   Bounds extent;
 };
 
@@ -116,7 +116,7 @@ bool is_drawable(const Surface& surface, const std::array<std::uint32_t, 3>& tri
 /// O(triangles).
 Bounds scene_bounds(const FrameScene& scene);
 
-/// What is wrong with a scene. Errors (nothing can be drawn): `index_out_of_range`,
+/// The faults of a scene. Errors (nothing can be drawn): `index_out_of_range`,
 /// `length_mismatch`, `degenerate_shape`. Warnings (left out of the picture): `not_finite`.
 /// Ids are rows of triangles, spheres, boxes or planes. O(triangles).
 std::vector<Finding> check(const FrameScene& scene);

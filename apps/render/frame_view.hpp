@@ -12,7 +12,7 @@ namespace sunder::render {
 
 /// Where things are, m: the camera's view and the key light's.
 struct FrameView {
-  /// Center and radius of what is shown.
+  /// Center and radius of the scene's extent.
   Eigen::Vector3f center;
   float radius = 1;
   /// Distances from the eye between which things are drawn.
@@ -29,7 +29,7 @@ struct FrameView {
   float grid_spacing = 1;
 };
 
-/// `casters`: bounds of what casts shadows, may be empty. Needs: scene and camera without error.
+/// `casters`: bounds of all shadow casters, may be empty. Needs: scene and camera without error.
 FrameView frame_view(const FrameScene& scene, const Bounds& casters, const Camera& camera,
                      float aspect);
 

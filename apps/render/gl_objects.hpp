@@ -63,7 +63,7 @@ using VertexArray = GlName<VertexArrayKind>;
 using Sampler = GlName<SamplerKind>;
 using Program = GlName<ProgramKind>;
 
-/// How large a texture or renderbuffer is, in pixels, and what a pixel holds.
+/// The size of a texture or renderbuffer, in pixels, and the content of a pixel.
 struct TextureFormat {
   int width = 0;
   int height = 0;

@@ -26,8 +26,8 @@ struct Image {
 /// The color of a pixel. Needs: 0 <= x < width, 0 <= y < height, y counted from the top.
 std::array<std::uint8_t, 3> pixel(const Image& image, int x, int y);
 
-/// Writes a PNG of 8 bits a channel: beside `path` first, then renamed, so that no reader ever sees
-/// half a file. Empty when written. Errors: `empty_image`, `not_written` (the folder does not
+/// Writes a PNG of 8 bits per channel: next to `path` first, then renamed, so that no reader ever
+/// sees half a file. Empty when written. Errors: `empty_image`, `not_written` (the folder does not
 /// exist, is read-only or full); the file that stood there is then untouched.
 [[nodiscard]] std::vector<Finding> write_png(const std::filesystem::path& path, const Image& image);
 

@@ -25,7 +25,7 @@ struct Programs {
 /// Needs: a current OpenGL 3.3 core context. Errors: `shader_rejected`.
 Result<Programs> make_programs();
 
-/// What is drawn into, of one size.
+/// Textures and buffers to draw into, of one size.
 struct Targets {
   int width = 0;
   int height = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Checks what is asked for, draws it, and copies it to memory or to a window.
+// Checks the scene asked for, draws it, and copies the picture to memory or to a window.
 #include "apps/render/renderer.hpp"
 
 #include <fmt/format.h>
@@ -14,7 +14,7 @@
 namespace sunder::render {
 
 struct Renderer::Parts {
-  // The order matters: what OpenGL names is destroyed before the context is.
+  // The order matters: OpenGL's objects are destroyed before their context.
   std::optional<HeadlessContext> context;
   Programs programs;
   Targets targets;

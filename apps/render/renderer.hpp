@@ -35,11 +35,11 @@ class Renderer {
 
   /// The picture of a scene. The same input gives the same bytes on the same driver.
   /// Errors: those of `check` for scene and camera, `image_size` (a side below 1),
-  /// `image_too_large`, `drawing_failed`. Warnings stand beside the picture.
+  /// `image_too_large`, `drawing_failed`. Warnings come with the picture.
   /// Leaves the renderer's own context, if it has one, current on this thread.
   Result<Image> render(const FrameScene& scene, const Camera& camera, int width, int height);
 
-  /// Draws into a framebuffer of the current context; what `render` does but for the copy to
+  /// Draws into a framebuffer of the current context, as `render` does but without the copy to
   /// memory. Leaves that framebuffer bound. Findings as those of `render`.
   std::vector<Finding> draw(const FrameScene& scene, const Camera& camera,
                             const DrawTarget& target);

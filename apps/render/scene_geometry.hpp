@@ -31,7 +31,7 @@ struct SceneGeometry {
   std::vector<EdgeInstance> edges;
   /// Each edge of a wireframe once.
   std::vector<EdgeInstance> wires;
-  /// Of what casts shadows; empty when nothing does.
+  /// Bounds of all shadow casters; empty when there are none.
   Bounds casters;
 };
 

@@ -266,7 +266,7 @@ void main() {
 )glsl";
 
 // Two triangles along the edge, widened on the picture. Drawn a little nearer than it is, so that
-// the faces beside it do not hide it.
+// the adjacent faces do not hide it.
 const char* const edge_vertex = R"glsl(
 layout(location = 0) in vec3 from;
 layout(location = 1) in vec3 to;

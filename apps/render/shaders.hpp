@@ -14,7 +14,7 @@ struct ShaderSource {
 
 /// Depth of the triangles seen from the key light.
 ShaderSource shadow_source();
-/// Normal and depth of what is nearest: of triangles, and of planes.
+/// Normal and depth of the nearest surface: of triangles, and of planes.
 ShaderSource mesh_normals_source();
 ShaderSource plane_normals_source();
 /// How much of the sky and of the key light each pixel sees.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Output held against the scene it is of.
+// Checks the output settings of a scene, on their own and against the scene.
 #include "apps/scene/check_output.hpp"
 
 #include <fmt/format.h>

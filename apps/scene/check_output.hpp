@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the output settings of a scene ask for that no run of it can give.
+// Requests in the output settings of a scene that no run of it can fulfil.
 #pragma once
 
 #include <vector>
@@ -14,7 +14,7 @@ namespace sunder {
 /// As many frames, or pictures, as a run may have, whichever key asks.
 inline double most_frames() { return static_cast<double>(limits().frames); }
 
-/// Numbers out of range, which files that others made may hold, and what does not go together.
+/// Numbers out of range, which files of others may hold, and settings that do not go together.
 /// no_crack_planes: `CrackSurface::smooth` with `CrackMode::paper`. too_many_frames,
 /// too_many_pictures: more than `Limits::frames`. Places are keys of the whole scene
 /// ("output.frames").

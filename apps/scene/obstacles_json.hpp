@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Obstacles in report.json, for those who draw a finished run.
+// Obstacles in report.json, for programs that draw a finished run.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -16,8 +16,8 @@ namespace sunder {
 /// mass of a free one. Orientations are quaternions w, x, y, z.
 nlohmann::ordered_json obstacles_json(std::span<const Obstacle> obstacles);
 
-/// Those of such an array. Errors: bad_obstacles (not what the above writes), those of
-/// `make_solid_surface`.
+/// The obstacles of such an array. Errors: bad_obstacles (not as `obstacles_json` writes them),
+/// those of `make_solid_surface`.
 Result<std::vector<Obstacle>> read_obstacles(const nlohmann::json& array);
 
 }  // namespace sunder

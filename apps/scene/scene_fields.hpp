@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The keys of a scene file beside those of the scene itself (fracture/scene/scene_fields.hpp):
-// what a run writes. The reader and the schema visit these descriptions.
+// The keys of a scene file besides those of the scene itself (fracture/scene/scene_fields.hpp):
+// the output of a run. The reader and the schema visit these descriptions.
 #pragma once
 
 #include "apps/scene/output_settings.hpp"

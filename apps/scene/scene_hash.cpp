@@ -23,7 +23,7 @@ class SceneHasher {
  public:
   template <class T>
   void field(const Key& key, T& member) {
-    // What accuracy chose stands under the keys that it chose; both kernels give the same bytes.
+    // Values that accuracy chose are added under their own keys; both kernels give the same bytes.
     constexpr std::array<std::string_view, 6> no_matter = {"$schema",  "name",   "description",
                                                            "accuracy", "output", "topology"};
     if (std::ranges::find(no_matter, key.name) != no_matter.end()) return;

@@ -14,7 +14,7 @@ namespace sunder {
 std::string hex_digits(std::uint64_t value);
 
 /// Sixteen hexadecimal digits (FNV-1a) of everything a run's outcome depends on: every key with its
-/// value, said or default, and what the meshes and face lists hold, wherever they lie. Names,
+/// value, given or default, and the content of meshes and face lists, wherever they lie. Names,
 /// description and output are left out. O(meshes).
 std::string scene_hash(SceneFile file);
 

@@ -25,7 +25,7 @@ namespace {
 using fields::Key;
 using nlohmann::json;
 
-/// What every value of a scene is read with.
+/// The inputs for reading any value of a scene, and the findings.
 struct Context {
   const SceneText& text;
   const SceneFiles& files;
@@ -127,7 +127,7 @@ void read(const Context& c, const Key& key, const json& value, const std::string
   if (fine) member = v;
 }
 
-/// Reads a vector whose length is of no importance, and gives it length 1.
+/// Reads a direction: a vector of any length but 0, which is given length 1.
 void read_direction(const Context& c, const Key& key, const json& value, const std::string& at,
                     Eigen::Vector3d& member) {
   const std::size_t before = c.findings.size();
@@ -196,7 +196,7 @@ void read(const Context& c, const Key& key, const json& value, const std::string
   if (value == "off" || read_number(c, key, value, at, number)) member.interval = number;
 }
 
-/// What one of the functions above reads; everything else is an enum, a list or an object.
+/// A type that one of the functions above reads; every other is an enum, a list or an object.
 template <class T>
 concept Plain = requires(const Context& c, const Key& k, const json& j, T& t) {
   read(c, k, j, std::string(), t);
@@ -334,7 +334,7 @@ class ObjectReader {
   int alternatives_found_ = 0;
 };
 
-/// What the scene as a whole gets wrong. What was refused while it was read has its default by now.
+/// Adds faults of the scene as a whole. Values refused while reading have their default by now.
 void add_findings(const Context& c, std::vector<SettingFinding> found) {
   const std::size_t read = c.findings.size();
   for (SettingFinding& f : found) {

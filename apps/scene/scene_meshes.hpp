@@ -13,8 +13,8 @@
 
 namespace sunder {
 
-/// Reads a body's mesh and looks at it; what was found, also where there is a value. Errors: those of
-/// `read_mesh` and `check_mesh`.
+/// Reads a body's mesh and checks it. Gives all findings, also where there is a mesh. Errors: those
+/// of `read_mesh` and `check_mesh`.
 std::vector<Finding> read_body_mesh(TetMesh& mesh, const SceneFiles& files,
                                     const std::string& name);
 

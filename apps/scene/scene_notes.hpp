@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a scene asks for that will not happen, though nothing in it is wrong.
+// Requests of a scene that will have no effect, though nothing in it is wrong.
 #pragma once
 
 #include <vector>

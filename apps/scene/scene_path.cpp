@@ -16,8 +16,8 @@ namespace sunder {
 
 namespace {
 
-/// Bodies have straight edges, of both orders: a mesh whose cells are curved is another body than the
-/// one that would break.
+/// Bodies of both orders have straight edges: a mesh with curved cells is another body than the one
+/// that would break.
 Result<TetMesh> refuse_curved(Result<TetMesh> mesh) {
   for (Finding& f : mesh.findings) {
     if (f.code != "curved_cells") continue;
@@ -48,7 +48,7 @@ std::optional<Finding> refusal(const std::filesystem::path& folder, const std::s
                        "put the file into the scene's folder, or leave out --confined if you "
                        "trust the scene"};
   }
-  // A FIFO or a device would be waited for; what is not there has an error of its own.
+  // Reading a FIFO or a device would wait; a missing file has an error of its own.
   const auto status = std::filesystem::status(path, none);
   if (!std::filesystem::exists(status) || std::filesystem::is_regular_file(status)) return {};
   return Finding{.code = "not_a_file",
@@ -73,7 +73,7 @@ Result<SceneFile> read_scene(const std::filesystem::path& path,
   }
   const std::string bytes(std::istreambuf_iterator<char>(in), {});
   const std::filesystem::path folder = path.parent_path();
-  // What `read` makes of a file by its name, if the scene may name it.
+  // The result of `read` for a file of this name, if the scene may name it.
   const auto within = [&]<class Read>(const std::string& name, const Read& read) {
     if (reach == SceneReach::own_folder) {
       if (auto finding = refusal(folder, name)) return decltype(read(path))(std::move(*finding));

@@ -48,7 +48,7 @@ class SchemaWriter {
   template <class T>
   void field(const Key& key, const T& member) {
     ordered_json schema = schema_of(key, member);
-    // Left out, an object has the defaults of all its keys; what has no default is then just absent.
+    // An object left out has the defaults of all its keys; keys without a default are then absent.
     if (is_object<T> && !schema.contains("default")) schema["default"] = ordered_json::object();
     put(key, std::move(schema));
   }

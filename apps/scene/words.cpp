@@ -29,9 +29,9 @@ std::string_view place_of(const Finding& f) {
   return text.substr(0, text.find(' '));
 }
 
-/// What findings that are printed together share: severity, code, and the key without its rows.
-/// Empty for findings that are printed each: errors, as each has to be mended, and those without a
-/// place.
+/// The common part of findings that are printed together: severity, code, and the key without rows.
+/// Empty for findings that are printed one by one: errors, as each has to be mended, and findings
+/// without a place.
 std::string kind_of(const Finding& f) {
   std::string key(place_of(f));
   if (f.severity == Severity::error || key.empty()) return {};

@@ -99,7 +99,7 @@ void add_output_options(CLI::App& app, MeshJob& job) {
   app.add_flag("--json", job.json, "Print the figures as JSON");
 }
 
-/// What the parser cannot see: values that do not go together. Empty when they do.
+/// A fault that the parser cannot see: values that do not go together. Empty when they do.
 std::string contradiction(const MeshJob& job) {
   if (job.ring && !(job.ring->outer_radius > job.ring->inner_radius)) {
     return "--ring: OUTER must be larger than INNER";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the user of sunder-mesh asked for.
+// The user's request to sunder-mesh.
 #pragma once
 
 #include <array>
@@ -36,8 +36,8 @@ struct MeshJob {
   bool json = false;
 };
 
-/// What to do: a job, or the code to exit with at once (after --help, or a usage error that has
-/// been said on stderr).
+/// The request: a job, or the code to exit with at once (after --help, or a usage error that has
+/// been printed on stderr).
 struct CommandLine {
   std::optional<MeshJob> job;
   int exit_code = 0;

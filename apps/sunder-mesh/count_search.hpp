@@ -10,7 +10,7 @@
 
 namespace sunder {
 
-/// What is wanted, and how long to look for it.
+/// The wanted number of tetrahedra, and the limit of the search.
 struct CountGoal {
   std::size_t tetrahedra = 0;
   /// How many meshes may be made.
@@ -21,14 +21,14 @@ struct CountGoal {
 struct CountTry {
   /// 1 for the first.
   int number = 0;
-  /// What all sizes were multiplied by.
+  /// All sizes were multiplied by this.
   double scale = 1;
-  /// What came out; both 0 when nothing fitted.
+  /// Counts of the mesh; both 0 when none was made.
   std::size_t tetrahedra = 0;
   std::size_t vertices = 0;
 };
 
-/// The mesh, among those tried, whose count is nearest to the goal (on a tie, the earlier one).
+/// The mesh, among those tried, with the count nearest to the goal (on a tie, the earlier one).
 /// `mesh_at(scale)` makes the mesh with all sizes multiplied by `scale`; it is called with scales
 /// that follow the cube root of the count's ratio until the goal is bracketed, and interpolate in
 /// logarithms from then on. Counts jump with the size, so the goal is rarely met exactly.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a tetrahedral mesh is like, and its rows put in order. No CGAL.
+// The quality of a tetrahedral mesh, and its rows put in order. No CGAL.
 #pragma once
 
 #include <cstddef>

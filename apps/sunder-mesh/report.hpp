@@ -17,7 +17,7 @@ std::string report_text(const TetMesh& mesh, const MeshQuality& quality);
 /// The same as one JSON object.
 std::string report_json(const TetMesh& mesh, const MeshQuality& quality);
 
-/// "FILE:LINE: error: TEXT; REMEDY [CODE]", without what a finding does not have.
+/// "FILE:LINE: error: TEXT; REMEDY [CODE]", without the parts that a finding does not have.
 std::string finding_line(const Finding& finding);
 
 }  // namespace sunder

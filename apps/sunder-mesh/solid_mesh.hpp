@@ -22,7 +22,7 @@ struct MeshSizes {
   double distance = 0;
 };
 
-/// How a solid is meshed, beside its sizes.
+/// How a solid is meshed, apart from its sizes.
 struct MeshQualityBounds {
   /// Least angle of a boundary triangle, degrees; above 30 the refinement may not end by itself.
   double facet_angle = 25;

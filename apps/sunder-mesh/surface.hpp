@@ -22,11 +22,11 @@ struct Surface {
 /// The axis of a file that shall point up.
 enum class UpAxis { x, minus_x, y, minus_y, z, minus_z };
 
-/// A closed, edge-manifold surface from an OFF, OBJ or STL file (told by the name's ending).
+/// A closed, edge-manifold surface from an OFF, OBJ or STL file (known by the name's ending).
 /// Points at the same place are merged (STL holds every corner apart), polygons cut into triangles
 /// fanwise, triangles turned to agree.
 /// Errors: cannot_open, unknown_format, not_a_surface, nan_coordinate, empty_surface,
-/// non_manifold_surface, open_surface; the warning self_intersecting_surface stands beside a value.
+/// non_manifold_surface, open_surface; the warning self_intersecting_surface comes with a value.
 Result<Surface> read_surface(const std::filesystem::path& path);
 
 /// The box [-x/2, x/2] x [-y/2, y/2] x [0, z] of the given edge lengths, m, all > 0.

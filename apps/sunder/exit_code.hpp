@@ -15,7 +15,7 @@ enum class ExitCode : int {
   not_written = 4,
   /// The simulation failed: diverged, not a number. Of every command: memory ran out.
   failed = 5,
-  /// A replay is not the run whose log it follows.
+  /// A replay departs from the log that it follows.
   departed = 6,
   /// A run to its end that has warnings, where `--strict` asks.
   warned = 7,

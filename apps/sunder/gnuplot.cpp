@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Gives gnuplot a script, keeps what it draws.
+// Gives gnuplot a script and keeps its picture.
 #include "apps/sunder/gnuplot.hpp"
 
 #include <fmt/format.h>
@@ -20,7 +20,7 @@
 namespace sunder {
 namespace {
 
-/// Runs a shell command and gives what it prints; its exit code behind it.
+/// Runs a shell command and gives its output and its exit code.
 std::pair<std::string, int> output_of(const std::string& command) {
   std::string out;
   std::FILE* const pipe = popen(command.c_str(), "r");

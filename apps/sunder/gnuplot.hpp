@@ -10,8 +10,8 @@
 
 namespace sunder {
 
-/// Draws what `script` says (it sets a terminal that writes PNG to stdout) as the file `png`, whole
-/// or not at all. Errors: gnuplot_missing, gnuplot_failed, cannot_write.
+/// Draws the picture of `script` (it sets a terminal that writes PNG to stdout) as the file `png`,
+/// whole or not at all. Errors: gnuplot_missing, gnuplot_failed, cannot_write.
 std::optional<Finding> draw_png(std::string_view script, const std::filesystem::path& png);
 
 }  // namespace sunder

@@ -149,11 +149,11 @@ int parse_and_run(std::vector<std::string> words, const AddCommands& add_command
   return static_cast<int>(exit_code);
 }
 
-/// What was printed may still wait in memory: a full device shows only now.
+/// Printed text may still wait in memory: a full device shows only now.
 int with_all_printed(int exit_code) {
   errno = 0;
   if (!output_was_lost()) return exit_code;
-  // Whoever reads may go when it has enough (| head): that is no news.
+  // A reader may close the pipe when it has enough (| head): that needs no message.
   if (errno == EPIPE) return static_cast<int>(ExitCode::not_written);
   print(stderr, "sunder: the result cannot be written to standard output{}{}\n",
         errno == 0 ? "" : ": ", errno == 0 ? "" : std::generic_category().message(errno));
@@ -181,15 +181,15 @@ void tell_exception(const std::exception& error) noexcept {
 void keep_streams_apart() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (fcntl(stream, F_GETFD) >= 0 || errno != EBADF) continue;
-    // Reading from what is open for writing fails, and the other way round.
+    // Reading fails from a file that is open for writing, and the other way round.
     const int file = open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
     if (file >= 0 && file != stream) close(file);
   }
 }
 
-/// A pipe whose reader is gone, and a limit on the size of files (ulimit -f), are errors of the
-/// write that meets them, which is reported and cleans up; the signals would end the program. A
-/// handler, not SIG_IGN: what this program starts has its own way again.
+/// A pipe without a reader, and a limit on the size of files (ulimit -f), become errors of the
+/// write that meets them. They are reported and clean up; the signals would end the program. A
+/// handler, not SIG_IGN: programs started from here have the default action again.
 void let_writes_fail() {
   struct sigaction action = {};
   action.sa_handler = [](int) {};

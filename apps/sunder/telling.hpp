@@ -25,7 +25,7 @@ struct Telling {
 /// Adds `--quiet` to a command that prints more than errors on standard error.
 CLI::Option* add_quiet_flag(CLI::App& command, Telling& telling);
 
-/// Adds `--verbose` to a command whose work has stages. It excludes `--quiet`, if the command has
+/// Adds `--verbose` to a command with stages in its work. It excludes `--quiet`, if the command has
 /// that already.
 void add_verbose_flag(CLI::App& command, Telling& telling);
 
@@ -46,7 +46,7 @@ void remark(std::string_view words, const Telling& telling);
 class Stages {
  public:
   explicit Stages(const Telling& telling);
-  /// The work since the last stage (the first: since the beginning) was `what`.
+  /// Ends a stage. Its time counts from the last stage (the first: from the beginning).
   void done(std::string_view what);
 
  private:

@@ -24,7 +24,7 @@ constexpr std::size_t most_tetrahedra = 20000;
 constexpr double rounding = 1e-15;
 /// A reference may take so many times longer than a point.
 constexpr double reference_patience = 10;
-/// `debris` is what is smaller than two cells of the first mesh in each direction.
+/// Pieces smaller than two cells of the first mesh in each direction are `debris`.
 constexpr double debris_tetrahedra = 8;
 
 Finding bad(const std::string& code, const std::string& text, const std::string& remedy) {
@@ -117,7 +117,7 @@ void choose_meshes(ChartWork& work, std::size_t tetrahedra) {
   for (int k = 0; k <= levels; ++k) work.runner.refinements.push_back(static_cast<std::size_t>(k));
 }
 
-/// Steps and windows around what the scene says.
+/// Steps and windows around those of the scene.
 void choose_steps(ChartWork& work, const Scene& scene) {
   const ChartArguments& a = work.arguments;
   work.grid.duration = work.chart.duration = scene.duration;
@@ -258,7 +258,7 @@ void converge_reference(ChartWork& work) {
   }
 }
 
-/// By what the user gives.
+/// The reference that the user gives.
 void exact_reference(ChartWork& work) {
   const QuantityTraits& traits = traits_of(work.runner.probe.quantity);
   const Result<Simulation> sim = chart_simulation(work.runner, {}, work.meshes() - 1);

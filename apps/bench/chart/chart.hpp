@@ -17,7 +17,7 @@
 
 namespace sunder {
 
-/// What a user asks of `sunder chart`.
+/// The arguments of `sunder chart`.
 struct ChartArguments : Telling {
   std::filesystem::path scene;
   std::string quantity = "position";
@@ -41,10 +41,10 @@ struct ChartArguments : Telling {
   bool quick = false;
 };
 
-/// What errors are measured against.
+/// The reference of all errors.
 struct ChartReference {
   Vec3 value = Vec3::Zero();
-  /// What differences are divided by.
+  /// Differences are divided by this.
   double scale = 1;
   /// Error of the reference itself, as far as it is known: the largest difference to the runs
   /// next to it in step and in mesh, over `scale`; of an ensemble no less than the deviation of its
@@ -84,14 +84,14 @@ struct Chart {
   /// method; none where not fine.
   std::optional<std::size_t> default_point, paper_point;
   double within = 0;
-  /// The cheapest whose lasting error is within.
+  /// The cheapest with a lasting error of at most `within`.
   std::optional<std::size_t> cheapest;
 };
 
-/// What an error counts as: not below the reference's own.
+/// An error as it counts: not below the reference's own.
 double counted_error(const ChartReference& reference, double error);
 
-/// Runs everything. `told` hears of every run before it begins. Errors: unknown_quantity,
+/// Runs everything. `told` is called before every run. Errors: unknown_quantity,
 /// unknown_method, bad_setting, no_reference, and those of reading and building the scene.
 Result<Chart> make_chart(const ChartArguments& arguments,
                          const std::function<void(const std::string&)>& told);

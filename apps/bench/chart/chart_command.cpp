@@ -87,7 +87,7 @@ std::vector<Finding> write_meshes(const ChartArguments& arguments, const ChartPo
   return {};
 }
 
-/// What the chart comes to, for people.
+/// The result of the chart, for people.
 std::string answer_text(const Chart& chart) {
   if (!chart.cheapest) {
     const double own = chart.reference.own_error;

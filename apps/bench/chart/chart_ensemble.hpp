@@ -14,7 +14,7 @@ namespace sunder {
 /// 0 is left as it is.
 void move_by_nothing(Scene& scene, std::size_t member);
 
-/// What several runs of one setting came to.
+/// The values of several runs of one setting, summarised.
 struct ChartBand {
   Vec3 mean = Vec3::Zero();
   /// Least and largest, each component by itself.

@@ -29,7 +29,7 @@ std::span<const ChartMethod> chart_methods();
 /// The row of the paper's own integrator.
 std::size_t paper_method();
 
-/// What to cross.
+/// The choices that the chart crosses.
 struct ChartGrid {
   /// Rows of `chart_methods`.
   std::vector<std::size_t> methods;

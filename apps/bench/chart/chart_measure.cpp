@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Measures a run: of the state's rows alone, but for what only a report tells.
+// Measures a run from the rows of its state, and its fans from the step reports.
 #include "apps/bench/chart/chart_measure.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -184,7 +184,7 @@ double Measure::scale(const Vec3& reference) const {
   double scale = reference.norm();
   if (probe_.quantity == Quantity::position) scale = (reference - at_start_).norm();
   if (probe_.quantity == Quantity::first_fan_place) scale = extent_;
-  // What should be nothing is measured in its own unit.
+  // Where the reference is zero, errors have the quantity's own unit.
   return scale > 0 ? scale : 1;
 }
 

@@ -28,10 +28,10 @@ enum class Quantity {
 
 struct QuantityTraits {
   Quantity quantity;
-  /// As the command line and files name it, its unit, and what it is.
+  /// The name in the command line and files, the unit, and a description.
   std::string_view name, unit, text;
   bool is_vector = false;
-  /// What errors are divided by, in words.
+  /// The divisor of errors, in words.
   std::string_view scale;
 };
 
@@ -39,7 +39,7 @@ struct QuantityTraits {
 std::span<const QuantityTraits> quantities();
 const QuantityTraits& traits_of(Quantity quantity);
 
-/// What is measured, of which point.
+/// The quantity to measure, and its point.
 struct Probe {
   Quantity quantity = Quantity::position;
   /// m, in the coordinates of the first body's mesh; `position` follows the material there.
@@ -62,9 +62,9 @@ class Measure {
 
   /// The quantity at the end, a scalar in the first place; none where nothing broke.
   std::optional<Vec3> value(const Simulation& end) const;
-  /// What errors of a run that should have given `reference` are divided by: see QuantityTraits.
+  /// Errors of a run that should have given `reference` are divided by this: see QuantityTraits.
   double scale(const Vec3& reference) const;
-  /// The same quantity at the start; zero for what only a run has.
+  /// The same quantity at the start; zero for a quantity that only a run has, such as its fans.
   const Vec3& at_start() const { return at_start_; }
 
  private:

@@ -9,7 +9,7 @@
 
 namespace sunder {
 
-/// What a setting costs and how wrong it is; less is better in both.
+/// The cost and the error of a setting; less is better in both.
 struct CostError {
   double cost = 0, error = 0;
 };

@@ -123,7 +123,7 @@ void add_marked(Plot& plot, const Chart& chart) {
   ring(chart.paper_point, "#d00000", "ringed: the paper's choice");
 }
 
-/// What the points cover, with room around, on both axes.
+/// The range of the points on both axes, with room around them.
 struct Extent {
   CostError low{1e300, 1e300}, high{0, 0};
 };

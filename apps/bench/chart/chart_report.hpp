@@ -12,10 +12,10 @@ namespace sunder {
 /// method, window, step, mesh in words.
 std::string setting_text(const Chart& chart, const ChartSetting& setting);
 
-/// What turns the scene into a setting, as keys of a scene.
+/// The changes that turn the scene into a setting, as keys of a scene.
 nlohmann::ordered_json setting_json(const ChartSetting& setting);
 
-/// For people: the reference, the marked points, the front, what has no point and why.
+/// For people: the reference, the marked points, the front, the runs without a point and why.
 std::string chart_table(const Chart& chart);
 
 /// Three lines of remarks, a header, one line a run in the order of the grid.

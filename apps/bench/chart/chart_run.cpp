@@ -28,7 +28,7 @@ double process_us() {
   return 1e6 * static_cast<double>(t.tv_sec) + 1e-3 * static_cast<double>(t.tv_nsec);
 }
 
-/// Computing time of a step, ms; what is drawn does not count.
+/// Computing time of a step, ms, without `Stage::display`.
 double computing(const StepReport& report) {
   double ms = 0;
   for (const Stage stage : {Stage::mechanics, Stage::fracture, Stage::rebuild}) {

@@ -27,14 +27,14 @@ struct ChartOutcome {
   /// Why it is not fine; empty where it is.
   std::string reason;
   Vec3 value = Vec3::Zero();
-  /// Of an ensemble those of all its runs, whose mean `value` is; else empty.
+  /// Of an ensemble, the values of all its runs, with `value` as their mean; else empty.
   std::vector<Vec3> values;
   /// Of the same quantity when the run began.
   Vec3 at_start = Vec3::Zero();
-  /// What errors against `value` as the reference are divided by.
+  /// Errors are divided by this where `value` is the reference.
   double scale = 1;
   /// ms of mechanics, fracture and rebuilding over simulated ms: the median of `runs` runs, each
-  /// less what other programs took of the processor meanwhile.
+  /// less the share of the time in which other programs had the processor.
   double cost = 0;
   std::size_t runs = 0, tetrahedra = 0, steps = 0, sub_steps = 0, fans = 0;
   /// Steps in which iterations were given up and the factor took over.
@@ -43,7 +43,7 @@ struct ChartOutcome {
   double wall = 0;
 };
 
-/// What all runs of a chart have in common.
+/// The inputs that all runs of a chart have in common.
 struct ChartRunner {
   std::filesystem::path scene;
   /// Changes that come before a setting's own.
@@ -67,7 +67,7 @@ Result<Simulation> chart_simulation(const ChartRunner& runner, std::span<const s
                                     std::size_t mesh);
 
 /// One run to the scene's end. With `timed`, it is repeated (without measuring) until 0.2 s of
-/// computing are together, a hundred times at most. What the measure itself takes does not count.
+/// computing are together, a hundred times at most. The measure's own time does not count.
 ChartOutcome run_chart(const ChartRunner& runner, std::span<const std::string> changes,
                        std::size_t mesh, bool timed);
 

@@ -160,7 +160,7 @@ void add_table_4(const PaperSink& sink, const FanReplay& replay) {
   if (replay.fans[1] > 0) sink("oracle_cost", replay.oracle_cost);
 }
 
-/// What fractures take of the steps in which there are some.
+/// The share of fractures in the time of the steps that have some.
 void add_fracture_share(const PaperSink& sink, const PaperRun& run) {
   double part = 0, whole = 0;
   std::vector<double> per_fan;
@@ -219,7 +219,7 @@ void add_replay(Bench& bench, const PaperSink& sink, const PaperRunSettings& set
   if (replay) add_table_4(sink, *replay);
 }
 
-/// What shatters less: corotational elements (section 5), and one crack a step (section 7).
+/// Runs that shatter less: corotational elements (section 5), and one crack per step (section 7).
 void add_gentler_fractures(Bench& bench, const PaperSink& sink, const PaperScene& scene,
                            const PaperMode& mode) {
   const auto add = [&](const char* name, std::span<const std::string_view> changes) {

@@ -22,7 +22,7 @@ struct PaperBenchSettings {
   int runs = 1;
 };
 
-/// One number of one scene in one mode; `mode` is `theirs` for what the paper says.
+/// One number of one scene in one mode; `mode` is `theirs` for the paper's own numbers.
 struct PaperFigure {
   std::string scene, mode, quantity;
   double value = 0;
@@ -33,15 +33,15 @@ struct PaperBench {
   int runs = 0;
   bool quick = false;
   std::vector<PaperFigure> figures;
-  /// What did not go as it should: runs that ended early.
+  /// Notes on runs that ended early.
   std::vector<std::string> notes;
 };
 
 std::optional<double> figure_of(const PaperBench& bench, std::string_view scene,
                                 std::string_view mode, std::string_view quantity);
 
-/// Runs everything. Counts depend on the scenes alone, times on the machine. `progress` is told
-/// each run before its turn. Errors: those of reading and building the scenes.
+/// Runs everything. Counts depend on the scenes alone, times on the machine. `progress` is called
+/// with each run before its turn. Errors: those of reading and building the scenes.
 Result<PaperBench> bench_paper(const PaperBenchSettings& settings,
                                const std::function<void(const std::string&)>& progress);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What section 5 says, as numbers that can be compared.
+// The claims of section 5, as numbers that can be compared.
 #include "apps/bench/paper/bench_paper_claims.hpp"
 
 #include <fmt/format.h>
@@ -35,7 +35,7 @@ std::string times(double value) { return fmt::format("{:.3g} x", value); }
 std::string fine_times(double value) { return fmt::format("{:.4g} x", value); }
 std::string whole_number(double value) { return fmt::format("{:.0f}", value); }
 
-/// A claim before it is held against figures.
+/// A claim before it is compared with figures.
 struct Question {
   const char* text;
   std::function<Number(const View&)> number;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The claims of the paper's section 5, each held against our figures.
+// The claims of the paper's section 5, each compared with our figures.
 #pragma once
 
 #include <string>

@@ -104,7 +104,7 @@ double time_pass(std::span<const StressSample> samples, int repeats, const auto&
   std::size_t tensors = 0;
   for (const StressSample& sample : samples) tensors += sample.stress.size();
   if (tensors == 0) return 0;
-  // What is found must be used, or nothing would be computed.
+  // The results must be used, or the compiler would leave out the computation.
   volatile std::size_t sink = 0;
   for (int k = 0; k < repeats; ++k) {
     std::size_t found = 0;

@@ -10,7 +10,7 @@
 
 namespace sunder {
 
-/// What one way of finding components takes for the fans of a run.
+/// Times that one way of finding components takes for the fans of a run.
 struct FanTimes {
   /// us, means over fans without [0] and with [1] a new component: faces, rows, components and
   /// strengths (`split_fan`); 0 where there was none.

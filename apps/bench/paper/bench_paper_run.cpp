@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Stepping a scene and keeping what the paper's tables are made of.
+// Steps a scene and keeps the data for the paper's tables.
 #include "apps/bench/paper/bench_paper_run.hpp"
 
 #include <fmt/format.h>

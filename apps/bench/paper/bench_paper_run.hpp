@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One run of a scene for `sunder bench paper`: what every step cost, what broke, what to look at.
+// One run of a scene for `sunder bench paper`: the cost of every step, its fans, and samples.
 #pragma once
 
 #include <cstdint>
@@ -53,7 +53,7 @@ struct PaperCounts {
   std::size_t fans = 0, faces = 0;
   /// Fans with a new component, fans that the oracle pointed at, those of them that had one.
   std::size_t separated = 0, predicted = 0, predicted_rightly = 0;
-  /// Faces whose three vertices split, and components that came of all fans.
+  /// Faces with all three vertices split, and components that came of all fans.
   std::size_t predicted_faces = 0, created = 0;
 };
 
@@ -80,8 +80,8 @@ struct PaperRun {
 /// Builds the scene with its changes. Errors: those of `read_scene` and `build_simulation`.
 Result<Simulation> paper_simulation(const PaperRunSettings& settings);
 
-/// Runs it. A step that fails ends the run, which `failure` then tells. What is looked at between
-/// steps is left out of their times.
+/// Runs it. A step that fails ends the run, and `failure` says why. Samples are taken between steps
+/// and do not count in their times.
 Result<PaperRun> run_paper_scene(const PaperRunSettings& settings);
 
 }  // namespace sunder

@@ -125,7 +125,7 @@ std::vector<PaperMode> make_modes() {
     return changes;
   };
   const Changes corotational = {"model=corotational"};
-  // What an unbreakable body is spared in flight would make columns differ for another reason.
+  // These save work on an unbreakable body in flight, so that columns would differ for that reason.
   const Changes plain = {"impact.window=false", "ladder.rigid=false", "ladder.quasi_static=false",
                          "ladder.sleep=false", "energy_ledger=false"};
   return {

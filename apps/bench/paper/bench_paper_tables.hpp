@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The paper's own numbers, its scenes, and the modes in which ours stand beside them.
+// The paper's own numbers, its scenes, and the modes of our runs that are compared with them.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ struct PaperScene {
 };
 std::span<const PaperScene> paper_scenes();
 
-/// A way to run a scene: what table 2 has a line for.
+/// A way to run a scene, which has one line in table 2.
 struct PaperMode {
   std::string_view name;
   std::string_view text;
@@ -40,7 +40,7 @@ struct PaperQuantity {
 /// In the order of the CSV.
 std::span<const PaperQuantity> paper_quantities();
 
-/// What the paper says of a scene; nothing where it says nothing.
+/// The paper's number for a scene; nothing where it has none.
 std::optional<double> paper_value(std::string_view scene, std::string_view quantity);
 
 }  // namespace sunder

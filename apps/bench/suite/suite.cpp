@@ -87,8 +87,8 @@ struct SuiteArguments {
   RandomArguments random;
 };
 
-/// What makes the kernel that --kernel names; for a command it throws `KernelLost` when that is
-/// none.
+/// The maker of the kernel that --kernel names. The maker for a command throws `KernelLost` when
+/// the command is no kernel.
 std::function<suite::JudgedKernel()> maker_of(const std::string& name, double timeout) {
   if (name == "sunder") return suite::volume_map_kernel;
   if (name == "dense") return suite::dense_map_kernel;

@@ -26,7 +26,7 @@ namespace {
 
 const std::string archive_folder = "sunder-suite/";
 
-/// What lies in the source tree as it is in the archive.
+/// A file that the archive takes from the source tree unchanged.
 struct Source {
   const char* in_tree;
   const char* in_archive;
@@ -56,7 +56,7 @@ std::string sha256(const std::string& bytes) {
   return text;
 }
 
-/// What `sha256sum --check` reads.
+/// The list of checksums that `sha256sum --check` reads.
 PackedFile checksums(const std::vector<PackedFile>& files) {
   PackedFile sums{.name = archive_folder + "SHA256SUMS", .bytes = {}};
   for (const PackedFile& f : files) {
@@ -104,7 +104,7 @@ ExitCode export_suite(const std::vector<suite::Fixture>& fixtures,
   std::sort(files.begin(), files.end(),
             [](const PackedFile& a, const PackedFile& b) { return a.name < b.name; });
   files.push_back(checksums(files));
-  // It packs what is named .gz.
+  // `write_file` packs files with names that end in .gz.
   if (const auto failure = write_file(archive, tar_of(files))) {
     tell({*failure}, {});
     return ExitCode::not_written;

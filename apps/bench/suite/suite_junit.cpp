@@ -16,8 +16,8 @@ namespace {
 
 using suite::Verdict;
 
-/// Text as an attribute or content may have it; what is not printable ASCII becomes '?': XML 1.0
-/// has no way to write most control characters.
+/// Text as an attribute or content may have it. Characters outside printable ASCII become '?': XML
+/// 1.0 has no way to write most control characters.
 std::string in_xml(std::string_view text) {
   std::string out = io::in_xml(text);
   for (char& c : out) c = (c >= ' ' && c <= '~') || c == '\n' ? c : '?';
@@ -29,7 +29,7 @@ std::string host_name() {
   return gethostname(name.data(), name.size() - 1) == 0 && name[0] != 0 ? name.data() : "localhost";
 }
 
-/// What stands inside a testcase; nothing when all is as expected.
+/// The content of a testcase; empty when all is as expected.
 std::string outcome(const Verdict& v, const std::vector<std::string>& steps) {
   if (!v.known_difference.empty()) {
     return fmt::format("<skipped message=\"{}\"/>",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `sunder suite --random`: its options, meshes, progress, and what is printed.
+// `sunder suite --random`: its options, meshes, progress and printed results.
 #include "apps/bench/suite/suite_random.hpp"
 
 #include <fmt/format.h>
@@ -148,7 +148,7 @@ void print_failure(const FamilyReport& family) {
   print("As a fixture:\n{}\n", failure.fixture);
 }
 
-/// Which checks ran how often: what costs as much as the body is large does not run every time.
+/// How often each check ran. Checks with a cost in proportion to the body do not run every time.
 void print_checks(const FamilyReport& total) {
   const suite::CheckCounts& c = total.checks;
   const suite::TearCounts& t = total.counts;

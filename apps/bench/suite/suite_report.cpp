@@ -128,7 +128,7 @@ std::string verdict_details(const Verdict& v, const std::vector<std::string>& st
 }
 
 std::string suite_details(const SuiteRow& row) {
-  std::vector<std::pair<std::string, std::string>> said;  // what, of whom
+  std::vector<std::pair<std::string, std::string>> said;  // text, kernels
   for (std::size_t k = 0; k < row.verdicts.size(); ++k) {
     const std::string text = verdict_details(row.verdicts[k], row.steps_in_words[k]);
     if (text.empty()) continue;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What `sunder suite` prints: a row for each fixture, what went wrong in full, totals; and JSON.
+// The output of `sunder suite`: a row for each fixture, mismatches in full, totals; and JSON.
 #pragma once
 
 #include <chrono>
@@ -29,7 +29,7 @@ struct SuiteRow {
 bool is_wrong(const suite::Verdict& verdict);
 bool any_wrong(const SuiteRow& row);
 
-/// What all lines of a table share.
+/// The data that all lines of a table share.
 struct SuiteTable {
   /// Names of the kernels, and length of the longest fixture's name.
   std::vector<std::string> kernels = {};
@@ -44,8 +44,8 @@ std::string suite_heading(const SuiteTable& table);
 std::string suite_line(const SuiteTable& table, const SuiteRow& row);
 std::string suite_totals(const SuiteTable& table, const std::vector<SuiteRow>& rows);
 
-/// What is to be said of a verdict beside its row, empty when nothing; `steps`: its mismatch's, in
-/// words.
+/// The details of a verdict that its row leaves out, empty when there are none. `steps`: those of
+/// its mismatch, in words.
 std::string verdict_details(const suite::Verdict& verdict, const std::vector<std::string>& steps);
 
 /// Every mismatch of a row, and every known difference with its reason, as lines of text; kernels

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Files in one .tar whose bytes follow from theirs alone.
+// Files in one .tar. Its bytes follow from the files alone.
 #pragma once
 
 #include <span>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Writes a scene with its mesh, runs it, says what there is to see and to do.
+// Writes a scene with its mesh, runs it, and prints the picture to look at and further commands.
 #include "apps/sunder/demo/demo.hpp"
 
 #include <fmt/format.h>
@@ -39,7 +39,7 @@ bool holds(const fs::path& path, std::string_view text) {
   return std::string(std::istreambuf_iterator<char>(in), {}) == text;
 }
 
-/// Writes a file of the demo; what a user has changed stays.
+/// Writes a file of the demo; a file that a user has changed stays.
 std::optional<Finding> put(const fs::path& path, std::string_view text) {
   if (!file_exists(path)) return write_file(path, text);
   if (holds(path, text)) return std::nullopt;

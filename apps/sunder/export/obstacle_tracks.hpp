@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Obstacles of a finished run as what moves beside its pieces.
+// Obstacles of a finished run as tracks, like those of its pieces.
 #pragma once
 
 #include <vector>

@@ -13,7 +13,7 @@
 namespace sunder {
 
 /// A piece at the end of a run: its surface where it was in the first frame, about the mean of its
-/// vertices there, and its motion since. Before it came off it moved with what it came off.
+/// vertices there, and its motion since. Before it came off, it moved with its parent piece.
 struct PieceTrack {
   std::string name;           ///< "piece_7"
   std::int64_t component = 0;

@@ -103,7 +103,8 @@ struct Table {
   }
 };
 
-/// A file beside the frames, which runs of before may not have; what is there counts.
+/// The text of a file next to the frames. Runs of earlier versions may lack it: then it is empty.
+/// A file that is there must be readable.
 std::string text_of(const std::filesystem::path& path, std::vector<Finding>& findings) {
   std::ifstream in(path, std::ios::binary);
   std::error_code unknown;

@@ -26,7 +26,7 @@ struct ResultFrame {
   std::vector<Obstacle> obstacles;      ///< where they are; none where the report has none
 };
 
-/// What fragments.csv says of a piece.
+/// The data of a piece in fragments.csv.
 struct ResultPiece {
   double mass = 0;               ///< kg
   std::int64_t birth_step = 0;   ///< in which it came off; 0: the start

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The table of fragments read back, and what its sizes come to.
+// The table of fragments read back, and the figures and laws of its sizes.
 #include "apps/sunder/fragments/fragment_sizes.hpp"
 
 #include <fmt/format.h>

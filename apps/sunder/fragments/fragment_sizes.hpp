@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How large the pieces of a run are: laws fitted to them, beside the mesh's own elements.
+// The sizes of the pieces of a run: laws fitted to them and to the mesh's own elements.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace sunder {
 
-/// What counts as the size of a piece.
+/// The measure of a piece's size.
 enum class SizeMeasure { volume, size, mass };
 inline constexpr std::array<std::string_view, 3> size_measure_names = {"volume", "size", "mass"};
 inline constexpr std::array<std::string_view, 3> size_measure_units = {"m^3", "m", "kg"};

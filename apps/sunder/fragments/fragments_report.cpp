@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is said and drawn of sizes.
+// The text, the JSON and the picture of sizes.
 #include "apps/sunder/fragments/fragments_report.hpp"
 
 #include <fmt/format.h>
@@ -96,8 +96,8 @@ std::string laws_text(const SampleLaws& laws, std::size_t count, std::string_vie
   return text;
 }
 
-/// Whether the tail is a power law's, in a sentence. Laws whose limit it is do not stand against
-/// it.
+/// Whether the tail is a power law's, in a sentence. Laws with the power law as their limit do not
+/// count against it.
 std::string verdict(const SampleLaws& laws) {
   if (laws.tail.empty()) return {};
   std::size_t nearest = 1;
@@ -114,7 +114,7 @@ std::string verdict(const SampleLaws& laws) {
   return fmt::format("The tail is no power law: {} is nearer.\n", name_of(laws.tail[nearest]));
 }
 
-/// What is larger than any element.
+/// The pieces that are larger than any element.
 std::string beyond_text(const FragmentSizes& s) {
   std::string text = fmt::format("{} larger than the largest element",
                                  counted(s.beyond_elements, "piece is", "pieces are"));

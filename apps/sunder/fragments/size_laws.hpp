@@ -41,7 +41,7 @@ struct FittedLaw {
 /// lognormal (deviation without bounds) are power laws.
 bool is_power_limit(const FittedLaw& law);
 
-/// Fewest values a law is fitted to: below it laws cannot be told apart
+/// Fewest values a law is fitted to: fewer cannot distinguish the laws
 /// (docs/explanation/validation_and_limits.md).
 inline constexpr std::size_t fewest_for_fit = 50;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `sunder check`: what a mesh is, and what is wrong with it.
+// `sunder check`: the properties of a mesh, and its faults.
 #pragma once
 
 #include <CLI/CLI.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Prints what a check found: a table, or JSON.
+// Prints the results of a check: a table, or JSON.
 #include "apps/sunder/mesh/check_report.hpp"
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What `sunder check` found out about a mesh, and how it is printed.
+// The results of `sunder check` for a mesh, and how they are printed.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@
 
 namespace sunder {
 
-/// What is known of a mesh in the end.
+/// The results for a mesh.
 struct CheckReport {
   /// Of the file, of its mesh, and of writing the cells that they name.
   std::vector<Finding> findings;
@@ -37,7 +37,7 @@ struct CheckReport {
   std::size_t cells_written = 0;
 };
 
-/// What `--json` prints of a mesh, keys as docs/reference/checks.md has them.
+/// The object that `--json` prints of a mesh, keys as docs/reference/checks.md has them.
 nlohmann::ordered_json report_json(const CheckReport& report);
 void print_table(const CheckReport& report);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// `sunder convert`: reads all that a mesh file holds, tells what the new format cannot hold,
-// writes.
+// `sunder convert`: reads the whole content of a mesh file, reports the parts that the new format
+// cannot hold, writes.
 #include "apps/sunder/mesh/convert.hpp"
 
 #include <fmt/format.h>
@@ -222,7 +222,7 @@ Conversion convert(ConvertArguments arguments) {
   result.is_read = true;
   stages.done(fmt::format("read {}", arguments.in.string()));
   result.mesh = std::move(*mesh);
-  // A repair was asked for: what it drops is no loss.
+  // A repair was asked for: the cells and points that it drops are no loss.
   result.has_losses = std::ranges::any_of(result.findings, is_loss);
   // Points alone are a mesh too, where the file has nothing else.
   const bool lost_cells =
@@ -289,7 +289,7 @@ void print_conversion(const ConvertArguments& arguments, const Conversion& resul
           ? fmt::format("{}: written from {}{}\n", arguments.out.string(),
                         counts_text(result.mesh), result.has_losses ? "" : "; nothing is lost")
           : "nothing is written\n";
-  // Where the mesh itself goes to standard output, what is said of it goes beside.
+  // Where the mesh itself goes to standard output, words about it go to standard error.
   arguments.out == "-" ? remark(words, arguments) : print("{}", words);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `sunder convert`: a mesh file into another format, with every loss told before it happens.
+// `sunder convert`: a mesh file into another format, with every loss reported before it happens.
 #pragma once
 
 #include <CLI/CLI.hpp>

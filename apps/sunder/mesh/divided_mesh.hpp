@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What `sunder refine` and `sunder cut` share: a mesh with its map, and what became of both.
+// The common part of `sunder refine` and `sunder cut`: a mesh with its map, before and after.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -34,7 +34,7 @@ struct DividedMesh {
 /// Reads the mesh and builds its map. With errors among the findings there is no value.
 Result<DividedMesh> read_to_divide(const std::filesystem::path& in, MapKernel kernel);
 
-/// What is asked of both commands alike.
+/// The arguments that both commands have.
 struct DivideArguments : Telling {
   std::filesystem::path in, out;
   MapKernel kernel = MapKernel::dense;

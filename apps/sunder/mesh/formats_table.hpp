@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What each format of mesh files holds, as a table.
+// The content that each format of mesh files can hold, as a table.
 #pragma once
 
 #include <optional>
@@ -15,7 +15,7 @@ std::string formats_table();
 /// The format of this name; none where there is none.
 std::optional<MeshFormat> format_called(const std::string& word);
 
-/// Empty where a format is called so; else what is wrong, with the names of all.
+/// Empty where a format has this name; else an error with the names of all formats.
 std::string known_format(const std::string& word);
 
 }  // namespace sunder

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Boundary faces that lie on each other, and what is near to them.
+// Boundary faces that lie on each other, and tetrahedra near to them.
 #include "apps/sunder/mesh/near_crack.hpp"
 
 #include <algorithm>

@@ -16,7 +16,7 @@ struct CrackFaces {
   BoxTree boxes;
 };
 
-/// Boundary faces whose three corners lie exactly where those of another boundary face lie, each once.
+/// Boundary faces with all three corners exactly on those of another boundary face, each once.
 /// `within`: how far from a face something may be and still be found near it, m. O(n log n).
 CrackFaces crack_faces(const VolumeMap& map, double within);
 

@@ -106,7 +106,7 @@ Result<std::vector<WantedCells>> choices(const RefineArguments& arguments, const
   return wanted;
 }
 
-/// What each level did, as lines and as JSON.
+/// The counts of each level, as lines and as JSON.
 void tell(const std::vector<RefinedLevel>& levels, const DividedFile& file, std::string& lines,
           nlohmann::ordered_json& json) {
   json["levels"] = nlohmann::ordered_json::array();

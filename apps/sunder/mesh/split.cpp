@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `sunder split`: the command line, the splitting face by face, and what is printed of it.
+// `sunder split`: the command line, the splitting face by face, and the printed results.
 #include "apps/sunder/mesh/split.hpp"
 
 #include <fmt/format.h>
@@ -67,7 +67,7 @@ struct SplitArguments : Telling {
   MapKernel kernel = MapKernel::dense;
 };
 
-/// What became of one face.
+/// The result of splitting one face.
 struct SplitRow {
   FaceRequest request;
   /// Empty when it was split.

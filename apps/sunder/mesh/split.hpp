@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `sunder split`: splits chosen faces of a mesh and tells what came apart.
+// `sunder split`: splits chosen faces of a mesh and reports the parts that came apart.
 #pragma once
 
 #include <CLI/CLI.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The cut mesh and the list beside it.
+// The cut mesh and the list of cuts next to it.
 #include "apps/sunder/mesh/split_output.hpp"
 
 #include <fmt/format.h>
@@ -33,7 +33,7 @@ std::string cuts_text(const TetMesh& cut, std::span<const HalfFaceId> faces) {
   return text;
 }
 
-/// Removes a list of an earlier run: beside this mesh it would cut faces that are not cut.
+/// Removes a list of an earlier run: with this mesh it would cut faces that are not cut.
 std::vector<Finding> remove_stale_cuts(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(in), {}};

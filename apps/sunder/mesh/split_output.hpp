@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What `sunder split -o OUT` leaves behind: the cut mesh, and beside it the cuts that it cannot
-// say.
+// The files of `sunder split -o OUT`: the cut mesh, and a list of the cuts that the mesh cannot
+// express.
 #pragma once
 
 #include <filesystem>
@@ -28,7 +28,7 @@ TetMesh cut_mesh(const CutBody& body);
 std::filesystem::path cuts_beside(const std::filesystem::path& output);
 
 /// Writes the cut mesh and, when it has cuts between faces with the same three points, their list:
-/// three rows of its points a line, as `--faces` takes them, below a line that says what it is.
+/// three rows of its points per line, as `--faces` takes them, below a line that describes it.
 /// When it has none, a list that an earlier run left there is removed (known by its first line;
 /// any other file of that name stays).
 /// Each file is there whole or not at all. Findings: those of write_mesh, regions_replaced,

@@ -87,7 +87,7 @@ RunView run_view(const PictureBodies& start, std::span<const Obstacle> obstacles
   const Vec3 up = gravity.norm() > 0 ? Vec3(-gravity.normalized()) : Vec3::UnitZ();
   std::vector<Obstacle> still;
   for (const Obstacle& obstacle : obstacles) {
-    // What flies in is seen when it arrives.
+    // Obstacles that fly in are seen when they arrive.
     if (obstacle.velocity.isZero() && !obstacle.mass) still.push_back(obstacle);
   }
   RunView view;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a picture of bodies shows, from a state at hand or from a finished run: surfaces, obstacles,
-// ground, camera.
+// The content of a picture of bodies, from a state at hand or from a finished run: surfaces,
+// obstacles, ground, camera.
 #pragma once
 
 #include <span>
@@ -23,19 +23,19 @@ struct PictureBodies {
   std::span<const ComponentId> component;  ///< row = tetrahedron
 };
 
-/// What stays the same in all pictures of a run.
+/// The camera and the extent, which are the same in all pictures of a run.
 struct RunView {
   render::Camera camera;
-  /// The bodies as they start, what is static, and the ground below.
+  /// The bodies as they start, static obstacles, and the ground below.
   render::Bounds extent;
 };
 
 /// Skin and crack faces of the shape asked for (of `both` the deformed mesh as wires over the filled
-/// reference), obstacles. `extent`: what all pictures of a run share. O(|V| + |T|).
+/// reference), obstacles. `extent`: that of all pictures of the run. O(|V| + |T|).
 render::FrameScene picture_scene(const PictureBodies& bodies, std::span<const Obstacle> obstacles,
                                  ShownShape show, const render::Bounds& extent);
 
-/// The camera asked for, or one that sees the bodies at the start, what is static, and their shadow
+/// The camera asked for, or one that sees the bodies at the start, static obstacles, and the shadow
 /// on the ground; up is against gravity (z without any).
 RunView run_view(const PictureBodies& start, std::span<const Obstacle> obstacles,
                  const PictureSettings& settings, const Vec3& gravity);

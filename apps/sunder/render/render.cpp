@@ -84,7 +84,7 @@ std::vector<Finding> draw(const RenderArguments& a, const RunResult& run,
   const Vec3 up = run.gravity.norm() > 0 ? Vec3(-run.gravity.normalized()) : Vec3::UnitZ();
   const std::vector<char> boundary = boundary_of(run.frames.front());
   const PictureSettings settings = settings_of(a);
-  // A view of what is drawn apart must see all of it.
+  // A view of pieces that are drawn apart must see all of them.
   const ResultFrame& seen = a.explode > 0 ? run.frames[end - 1] : run.frames.front();
   const FramePicture start = frame_picture(seen, boundary, a.explode, up);
   const RunView view = run_view(start.bodies, seen.obstacles, settings, run.gravity);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Frames of a finished run as what a picture shows.
+// Frames of a finished run as the bodies of a picture.
 #pragma once
 
 #include <vector>

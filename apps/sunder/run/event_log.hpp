@@ -15,14 +15,14 @@
 
 namespace sunder {
 
-/// What a reader must know to read the log; raised whenever a line's meaning changes.
+/// The format that a reader of the log must know; raised whenever a line's meaning changes.
 inline constexpr int event_log_format = 3;
 
 /// The words of `RunEnd`, as report and log have them.
 std::string_view to_string(RunEnd end);
 
-/// The JSON of one line of a log, or discarded: where it is none, or nested deeper than any line is
-/// (64 levels), since code that walks through values calls itself.
+/// The JSON of one line of a log, or discarded: where it is no JSON, or nested deeper than any line
+/// is (64 levels), since code that walks through values calls itself.
 nlohmann::ordered_json parse_line(std::string_view text);
 
 /// When a fan or a release happened.
@@ -61,8 +61,8 @@ class EventLog {
   explicit EventLog(const SceneFile& file);
   void add(const nlohmann::ordered_json& line);
   const std::string& text() const { return text_; }
-  /// The log of which `text` is what has been written so far, with the checks of the scene of
-  /// `file`, which may be longer than the one it was written for. `branched_at`: the step from
+  /// The log with `text` as its content so far, and with the checks of the scene of `file`. The
+  /// scene may be longer than the one it was written for. `branched_at`: the step from
   /// which on its settings are others; the head keeps the last such step. Nothing where a line is
   /// not the one that was written.
   static std::optional<EventLog> of(const SceneFile& file, std::string_view text,

@@ -14,8 +14,8 @@ namespace sunder {
 /// Draws pictures of one run, all seen by the same camera.
 class Pictures {
  public:
-  /// The camera of the settings, or one that sees the bodies as they start, what is static, and the
-  /// ground below; up is against gravity (z without any).
+  /// The camera of the settings, or one that sees the bodies as they start, static obstacles, and
+  /// the ground below; up is against gravity (z without any).
   /// Errors: those of the renderer; `no_renderer` where the program was built without it.
   static Result<Pictures> open(const Simulation& start, const OutputSettings& output);
   Pictures(Pictures&&) noexcept;

@@ -34,7 +34,7 @@ class FrameClock {
 
  private:
   using Clock = std::chrono::steady_clock;
-  Clock::time_point start_, frame_start_;  ///< `start_`: later by what the clock was stopped
+  Clock::time_point start_, frame_start_;  ///< `start_`: later by the stops of the clock
   double next_ = frame_time, reached_ = 0, slowed_ = 0;
   std::vector<double> frame_ms_;
 };

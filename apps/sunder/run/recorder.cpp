@@ -38,7 +38,7 @@ struct Recorder::Parts {
   /// Of the last checkpoint: when it was, and the frames and pictures that are on the disk.
   std::chrono::steady_clock::time_point saved_at = std::chrono::steady_clock::now();
   std::uint64_t frames_on_disk = 0, pictures_on_disk = 0;
-  /// Of the last step that was kept: what it is, when that was and how long it took.
+  /// The last step that was kept: its checkpoint, when that was made and how long it took.
   std::optional<CheckpointBytes> kept;
   std::chrono::steady_clock::time_point kept_at;
   std::chrono::steady_clock::duration keeping = {};

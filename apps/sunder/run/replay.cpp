@@ -113,7 +113,7 @@ Vec3 vector_of(const ordered_json& numbers) {
   return {numbers[0].get<double>(), numbers[1].get<double>(), numbers[2].get<double>()};
 }
 
-/// What is wrong with the keys of a fan; empty where nothing is.
+/// The fault in the keys of a fan; empty where there is none.
 std::string misfit(const ordered_json& fan) {
   for (const char* key : {"fan", "step", "part", "round", "vertex"}) {
     if (!is_count(fan, key)) return fmt::format("has no whole number \"{}\"", key);

@@ -14,7 +14,7 @@
 
 namespace sunder {
 
-/// What an event log says, ready to be made again.
+/// The content of an event log, ready to be replayed.
 struct Replay {
   std::string file;
   FanScript script;
@@ -26,7 +26,7 @@ struct Replay {
   /// How the run ended and after how many steps.
   RunEnd end = RunEnd::finished;
   std::uint64_t steps = 0;
-  /// What its searches counted: those a replay does not make.
+  /// The counts of the run's searches, which a replay does not make.
   nlohmann::ordered_json counts;
 };
 
@@ -42,9 +42,9 @@ struct ReplayedScene {
 /// repeated lines, a fan or a release out of order, cut off).
 Result<Replay> read_replay(const std::filesystem::path& path, const ReplayedScene& scene);
 
-/// Compares what the replay has logged so far (`EventLog::text`) with the log: the finding
-/// `replay_departed` names the first line that differs, what in it, and both values. `finished`:
-/// whether the replay's log is whole. Needs: `text` only ever grows. Cost: what is new.
+/// Compares the replay's own log so far (`EventLog::text`) with the log. The finding
+/// `replay_departed` names the first line that differs, the key in it, and both values.
+/// `finished`: whether the replay's log is whole. Needs: `text` only ever grows. O(new text).
 std::optional<Finding> compare_logs(Replay& replay, std::string_view text, bool finished);
 
 /// The fan of the script that could not be made, as a finding `replay_departed`.

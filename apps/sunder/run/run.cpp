@@ -38,7 +38,7 @@ constexpr bool is_debug_build = false;
 constexpr bool is_debug_build = true;
 #endif
 
-/// What `work` returns; while it runs a line of progress has its name.
+/// The result of `work`; while it runs, a line of progress has its name.
 template <class Work>
 auto with_progress(std::string_view name, const RunArguments& arguments, Work work) {
   const Heartbeat heartbeat(arguments.quiet, line_of_work(name));
@@ -69,8 +69,8 @@ std::optional<Finding> departure_of(const RunWork& work, std::optional<ExitCode>
   return compare_logs(*work.replay, work.recorder.events().text(), ended.has_value());
 }
 
-/// What is wrong with the state that a step leaves: numbers always, what costs as much as a step
-/// where it is asked for or in a debug build.
+/// The faults of the state that a step leaves. Numbers are checked always; checks that cost as much
+/// as a step are made where asked for or in a debug build.
 std::vector<Finding> damage(const Simulation& simulation, bool check_map, bool is_broken) {
   const bool all = check_map || is_debug_build;
   std::vector<Finding> findings =
@@ -201,7 +201,7 @@ std::optional<FolderLock> take_folder(const std::filesystem::path& folder, bool 
   return std::move(*lock);
 }
 
-/// Steps a run to its end and writes what is only known there.
+/// Steps a run to its end and writes the results that are only known there.
 ExitCode end_run(const RunWork& work, const RunArguments& arguments,
                  const std::filesystem::path& folder) {
   const Simulation& simulation = work.simulation;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `sunder run`: steps a scene and writes what happens.
+// `sunder run`: steps a scene and writes its events and results.
 #pragma once
 
 #include <CLI/CLI.hpp>

@@ -58,7 +58,7 @@ std::vector<const CLI::App*> commands_of(const CLI::App& program) {
   return {commands.begin(), commands.end()};
 }
 
-/// Text without what a shell's quotes would end at.
+/// Text in quotes, without the characters that end a shell's quotes.
 std::string quoted(std::string text) {
   std::erase_if(text, [](char c) { return c == '\'' || c == '\\' || c == '[' || c == ']'; });
   std::ranges::replace(text, '\n', ' ');

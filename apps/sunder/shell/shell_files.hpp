@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What shells and `man` know of the program, made of its own command line.
+// Completions for shells and a page for `man`, made of the program's own command line.
 #pragma once
 
 #include <CLI/CLI.hpp>

@@ -19,7 +19,7 @@
 namespace sunder {
 namespace {
 
-/// A body in equilibrium and what pulls at it, by node.
+/// A body in equilibrium and its loads, by node.
 struct LoadedBody {
   Simulation& sim;
   std::span<const Vec3> force;
@@ -30,7 +30,7 @@ std::vector<Vec3> fully_raised(const Simulation& sim) {
                        std::numeric_limits<double>::infinity());
 }
 
-/// What is wrong; nothing when the answer has its release.
+/// Adds its release to an answer. Gives the errors, or nothing when it has it.
 std::vector<Finding> add_release(FanAnswer& answer, const LoadedBody& body, VertexId vertex,
                                  std::span<const HalfFaceId> faces) {
   const Cells& cells = body.sim.state->cells;

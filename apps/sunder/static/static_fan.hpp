@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What fans at vertices of a body in equilibrium would release: `sunder static --fan`, `--fans`.
+// Releases of fans at vertices of a body in equilibrium: `sunder static --fan`, `--fans`.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@
 
 namespace sunder {
 
-/// A fan asked for and what it would release.
+/// A fan asked for and the energy that it would release.
 struct FanAnswer {
   std::uint32_t point = 0;  ///< of the bodies' meshes, one after the other
   Vec3 normal = Vec3::Zero();
@@ -24,23 +24,23 @@ struct FanAnswer {
   double fracture_energy = 0;
 };
 
-/// What is wrong with V,NX,NY,NZ, empty when nothing is.
+/// The fault of a text V,NX,NY,NZ, empty when there is none.
 std::string check_fan_text(const std::string& list);
 
 /// `sim`: as `solve_scene` leaves it; is not changed. `list`: V,NX,NY,NZ, the normal in the mesh's
 /// own axes. Errors: those of `fan_faces` and `energy_release`.
 Result<FanAnswer> fan_answer(Simulation& sim, const std::string& list);
 
-/// A vertex near its threshold and what its fan would release.
+/// A vertex near its threshold and the energy that its fan would release.
 struct FanCandidate {
   FanAnswer fan;
   double share = 0;  ///< largest principal stress over the strength
-  /// J/m^2: what the crack's front would release there (`tip_energy`), where the vertex is on one.
+  /// J/m^2: release of the crack's front there (`tip_energy`), where the vertex is on one.
   std::optional<double> front;
 };
 
-/// The fan of every vertex whose largest principal stress is at least `share` of its strength, and
-/// that has one, by falling energy per area. `sim`: as `solve_scene` leaves it; is not changed;
+/// The fan, if there is one, of every vertex with a largest principal stress of at least `share` of
+/// its strength, by falling energy per area. `sim`: as `solve_scene` leaves it; is not changed;
 /// `node_stress`: |V|. Errors: those of `energy_release`. Cost: one of those a vertex.
 Result<std::vector<FanCandidate>> fan_candidates(Simulation& sim, std::span<const Mat3> node_stress,
                                                  double share);

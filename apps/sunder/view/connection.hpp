@@ -12,7 +12,7 @@
 #include <string>
 #include <string_view>
 
-// Last: it brings resolv.h, whose macro _res stands in the way of Eigen.
+// Last: it brings resolv.h, which has a macro _res that breaks Eigen.
 #include <httplib.h>
 
 namespace sunder {
@@ -37,7 +37,7 @@ class BoundedStream : public httplib::Stream {
   bool is_in_head() const { return in_head_; }
   /// Sends an answer of our own, once the library's is held back for a fault of the head.
   void send_after_fault(std::string_view answer);
-  /// Closes the sending side and throws away what still comes, for a while: a socket that is closed
+  /// Closes the sending side and throws away arriving bytes for a while: a socket that is closed
   /// with bytes unread resets the connection, and the client loses the answer.
   void part();
 
@@ -71,7 +71,7 @@ class Connections {
  public:
   struct Connection {
     socket_t socket;
-    std::chrono::steady_clock::time_point since;  ///< the begin of what it waits for
+    std::chrono::steady_clock::time_point since;  ///< the begin of its wait
     bool has_had_token = false;
     bool is_at_work = false;  ///< a request with the token: it is not dropped
     bool is_dropped = false;  ///< its thread is about to leave

@@ -52,7 +52,7 @@ struct ViewArguments : Telling {
 // A signal handler can reach nothing but a global.
 std::atomic<bool> ended = false;
 
-/// What nobody can guess; nothing where the system gives none.
+/// A token that nobody can guess; nothing where the system gives no random bytes.
 std::optional<std::string> random_token() {
   std::array<unsigned char, 16> bytes{};
   if (getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size())) return {};

@@ -208,8 +208,8 @@ ViewAnswer scene_text(const ViewedScene& viewed) {
   return {true, nlohmann::json{{"name", viewed.path.stem().string()}, {"text", text}}.dump()};
 }
 
-/// Adds to `stamp` every string in a scene that is the name of a file beside it, and when that file
-/// was last written.
+/// Adds to `stamp` every string in a scene that names a file in its folder, and the time when that
+/// file was last written.
 void stamp_files(std::string& stamp, const std::filesystem::path& folder,
                  const nlohmann::json& value) {
   if (value.is_structured()) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the page asks of the native engine, as bytes in and out; no socket here.
+// Requests of the page to the native engine, as bytes in and out; no socket here.
 #pragma once
 
 #include <cstdint>
@@ -22,15 +22,15 @@ struct ViewedScene {
   std::filesystem::path path;
   SceneReach reach = SceneReach::anywhere;
   std::unique_ptr<sunder_engine> engine;
-  std::string words;                           ///< warnings, or what failed
+  std::string words;                           ///< warnings, or the failure
   std::map<std::uint64_t, std::string> saved;  ///< by their step
   std::mutex one_at_a_time;
 };
 
-/// What a request is answered with.
+/// The answer to a request.
 struct ViewAnswer {
   bool fine = true;
-  std::string bytes;  ///< the answer, or what is wrong in words
+  std::string bytes;  ///< the answer, or the fault in words
 };
 
 /// Does `work` ("load", "step", "read", "act", "inspect", "save", "restore", "forget", "scene",

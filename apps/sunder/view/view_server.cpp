@@ -158,7 +158,7 @@ class ViewServer::Http : public httplib::Server {
       : viewed_(viewed), page_(std::move(page)), rules_{0, std::move(token), &page_} {
     new_task_queue = [this] { return new Workers(connections_, most_connections()); };
     set_tcp_nodelay(true);
-    // The library's default shares a port with whoever has it.
+    // The library's default shares a port with any process that has it.
     set_socket_options([](socket_t socket) {
       const int yes = 1;
       setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);

@@ -10,11 +10,11 @@
 
 namespace sunder {
 
-/// Answers the page's files and its requests to the engine (`refusal_of` says which). What it takes
-/// is bounded: a head has 16 KiB and five seconds, a body `most_body` and the time that its size
-/// needs on a slow line, an answer the same time; requests that are refused are answered from their
-/// head. Each connection has a thread; when there are as many as may be (256, or half of the files
-/// that the process may open), the one that waits longest is dropped for a new one.
+/// Answers requests for the page's files and to the engine (`refusal_of` says which). All sizes and
+/// times are bounded: a head has 16 KiB and five seconds, a body `most_body` and the time that its
+/// size needs on a slow line, an answer the same time. Requests that are refused are answered from
+/// their head. Each connection has a thread. When there are as many as may be (256, or half of the
+/// files that the process may open), the one that waits longest is dropped for a new one.
 class ViewServer {
  public:
   /// `viewed` outlives the server. Throws std::system_error where the system gives no thread.

@@ -34,7 +34,7 @@ class Mismatch(Exception):
 
 
 def quoted(text, most=80):
-    """The start of what a process said: whatever is not printable ASCII as \\xNN."""
+    """The start of a text from a process, with characters outside printable ASCII as \\xNN."""
     line = text.split("\n", 1)[0]
     shown = "".join(c if " " <= c <= "~" else f"\\x{ord(c):02x}" for c in line[:most])
     return f'"{shown}{"..." if len(line) > most else ""}"'
@@ -52,8 +52,8 @@ class Child:
         self.received, self.ended = b"", False
 
     def exchange(self, to_send, seconds):
-        """Writes and reads what can be now, or waits for it; what is left to send, and whether
-        anything happened."""
+        """Writes and reads as far as possible now, or waits for it. Gives the rest to send, and
+        whether anything happened."""
         with selectors.DefaultSelector() as ready:
             if not self.ended:
                 ready.register(self.out, selectors.EVENT_READ)
@@ -107,7 +107,7 @@ class Child:
                 raise Silent(f"no answer within {seconds:.3g} s")
             to_send, happened = self.exchange(to_send, min(left, 0.1))
             if not happened and self.process.poll() is not None:
-                # What it said last may have come between the two looks.
+                # Its last output may have come between the two looks.
                 to_send, happened = self.exchange(to_send, 0)
                 if not happened:
                     raise Lost(f"it {self.how_it_ended()} and left its output to another process")
@@ -365,12 +365,12 @@ class Trial:
         self.look(self.case["built"])
         for operation in self.case["operations"]:
             if "glue" in operation and "glue" not in self.kernel.gifts:
-                return  # what follows needs it
+                return  # later operations need it
             self.steps += 1
             self.step(operation)
 
     def meet(self, known, loaded):
-        """Holds what was seen against a known difference; nothing else is judged then."""
+        """Compares the answers with a known difference; nothing else is judged then."""
         expected = known.get("counts")
         compare("known difference", "accepted" if expected else "refused",
                 "accepted" if loaded else "refused")

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From the command line to cut faces, and what came of them as words and as a list.
+// From the command line to cut faces, and the crack in words and as a list.
 #include "apps/sunder/mesh/convert/convert_crack.hpp"
 
 #include <fmt/format.h>
@@ -16,7 +16,7 @@
 namespace sunder {
 namespace {
 
-/// Faces of one kind of naming, beside those found before.
+/// The faces that the options name, and the findings of looking for them.
 struct Named {
   CutFaces faces;
   std::vector<Finding> findings;

@@ -26,11 +26,11 @@ struct CrackOptions {
 /// Adds the options to `sunder convert`.
 void add_crack_options(CLI::App& command, CrackOptions& options);
 
-/// What came of a crack.
+/// The result of opening a crack.
 struct NamedCrack {
   /// Notes with counts, or the errors for which the mesh is as it was.
   std::vector<Finding> findings;
-  /// What the file of pairs holds.
+  /// The content of the file of pairs.
   std::string pairs;
 };
 

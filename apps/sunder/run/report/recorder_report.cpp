@@ -115,7 +115,7 @@ ordered_json momentum_ledger(const RunStatistics& statistics, const Simulation& 
   return report;
 }
 
-/// What the fans whose energy was settled gave up together.
+/// Area and energy of all fans with a settled energy, summed.
 ordered_json crack_ledger(std::span<const CrackEnergy> cracks) {
   double area = 0, projected = 0, energy = 0;
   for (const CrackEnergy& crack : cracks) {
@@ -220,7 +220,7 @@ void add_step(RunStatistics& statistics, const Simulation& now, const StepReport
   statistics.energy_released += report.energy_released;
   note_troubles(statistics.troubles, now, report);
   note_drawn(statistics, now);
-  // What failed has an error of its own.
+  // A failed step has an error of its own.
   if (statistics.turned_too_far || report.status.outcome != StepOutcome::fine) return;
   if (std::optional<Finding> turned = check_turns(now, report)) {
     statistics.turned_too_far = true;

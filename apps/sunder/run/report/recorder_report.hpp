@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a run tells about itself: counts, step times, ledgers and warnings, as report.json has them.
+// The report of a run: counts, step times, ledgers and warnings, as report.json has them.
 #pragma once
 
 #include <array>
@@ -73,21 +73,21 @@ struct RunStatistics {
   bool turned_too_far = false;
 };
 
-/// The statistics of a run that stands at its start; `warnings` are what building it found.
+/// The statistics of a run that stands at its start; `warnings` are those of building it.
 RunStatistics begin_statistics(const Simulation& start, std::vector<Finding> warnings);
 
 /// Adds one step. `step_ms`: its wall time.
 void add_step(RunStatistics& statistics, const Simulation& now, const StepReport& report,
               double step_ms);
 
-/// What a run warns of after its start, in the order of its report.
+/// The warnings of a run after its start, in the order of its report.
 std::vector<Finding> warnings_on_the_way(const RunStatistics& statistics, const Scene& scene);
 
 /// Everything that a run warns of, from its scene on.
 std::vector<Finding> all_warnings(const RunStatistics& statistics, const Scene& scene);
 
-/// What `advance` reports as a failure, as a finding with step, vertex, value and remedy; nothing
-/// when the step is fine.
+/// A failure that `advance` reports, as a finding with step, vertex, value and remedy; nothing when
+/// the step is fine.
 std::optional<Finding> step_failure(const StepReport& report, const Simulation& now);
 
 /// report.json of a run, keys as docs/reference/scene.md has them. `pieces`: as `fragments` gives them at the

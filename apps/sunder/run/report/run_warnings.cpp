@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Troubles noted step by step, told at the end.
+// Troubles noted step by step, and warnings of them at the end.
 #include "apps/sunder/run/report/run_warnings.hpp"
 
 #include <fmt/format.h>
@@ -15,14 +15,14 @@
 namespace sunder {
 namespace {
 
-/// Of what moved, in the ledger of a step or of a run.
+/// Of the energy moved (`EnergyLedger::moved`), in the ledger of a step or of a run.
 constexpr double allowed_residual = 0.01;
 /// Of the penetration that contact leaves alone.
 constexpr double allowed_violation = 0.01;
 /// Of the mean edge.
 constexpr double allowed_overlap = 0.05;
 /// Errors of energy below this part of `energy_of_scene` are no error of a scheme but rounding
-/// (1e-16 of it in each step) and what contact leaves: gaps that are wrong by 1e-4 of
+/// (1e-16 of it in each step) and errors of contact: gaps that are wrong by 1e-4 of
 /// `allowed_penetration`, which is 2e-3 of a cell at most, lift a body by 2e-7 of its length.
 /// Schemes that gain energy gain parts of a hundred, and go on.
 constexpr double negligible_energy = 1e-6;
@@ -70,7 +70,7 @@ std::vector<Vec3> centres_of_balls(const std::vector<Obstacle>& obstacles) {
   return centres;
 }
 
-/// J, what came in from outside in a step: bodies by their ledger, balls by their way.
+/// J, the work from outside in a step: of bodies by their ledger, of balls by their way.
 struct OutsideWork {
   double gravity = 0, driven = 0;  ///< `driven`: of loads, supports and obstacles with a velocity
 };

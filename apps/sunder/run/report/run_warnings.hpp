@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a run must not keep silent about: work left undone, solves that did not end, energy that
-// came from nowhere.
+// The troubles that a run must report: work left undone, solves that did not end, energy that came
+// from nowhere.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,7 @@ struct Trouble {
 };
 
 /// Kinetic and strain energy of everything that moves less the work that came in from gravity,
-/// loads, supports and driven obstacles: what is left may sink (sliding, blows without a bounce,
+/// loads, supports and driven obstacles. The rest may sink (sliding, blows without a bounce,
 /// damping, cracks) and never rise. J; 0 at the start.
 struct EnergyBalance {
   double level = 0, lowest = 0;
@@ -42,7 +42,7 @@ struct RunTroubles {
   Trouble overlaps;       ///< over a twentieth of the mean edge; m, the deepest
   Trouble stopped;        ///< sub-steps of windows that ran out
   Trouble given_up;       ///< iterations of the integrator
-  Trouble residual;       ///< steps whose energy ledger is off by more than a hundredth; J, worst
+  Trouble residual;       ///< steps with an energy ledger off by more than a hundredth; J, worst
   Trouble risen;          ///< J, most
   double residual_size = 0, moved = 0;  ///< J, sums over the run
   double mean_edge = 0;                 ///< m, of tetrahedra at rest

@@ -43,7 +43,7 @@ std::string pascals(const std::vector<double>& values) {
                      : fmt::format("{} to {} {}", low, high, unit->second);
 }
 
-/// The speeds of what moves: "5 m/s", "up to 5 m/s" where they differ; empty where nothing moves.
+/// The speeds other than 0: "5 m/s", "up to 5 m/s" where they differ; empty where nothing moves.
 std::string speeds(std::vector<double> values, std::string_view unit) {
   std::erase(values, 0.0);
   if (values.empty()) return {};
@@ -73,7 +73,7 @@ bool falls(const Scene& scene) {
          });
 }
 
-/// What sets the bodies in motion: speeds, obstacles, supports, loads; else gravity.
+/// The causes of the bodies' motion: speeds, obstacles, supports, loads; else gravity.
 std::vector<std::string> motion_words(const Scene& scene) {
   std::vector<double> of_bodies, spins, of_supports, of_obstacles;
   std::size_t loads = 0;

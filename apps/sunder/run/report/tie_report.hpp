@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What ties took in a run, as `ties` in report.json has it, with a row for each crack.
+// Counts and energy of a run's ties, as `ties` in report.json, with a row for each crack.
 #pragma once
 
 #include <map>
@@ -9,7 +9,7 @@
 
 namespace sunder {
 
-/// What the ties of a crack, or of all, have done.
+/// Counts, area and energy of the ties of a crack, or of all.
 struct TiesOfCrack {
   std::size_t tied = 0;      ///< faces
   std::size_t released = 0;  ///< faces

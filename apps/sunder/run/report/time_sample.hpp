@@ -26,7 +26,7 @@ struct TimeSample {
 void add(TimeSample& sample, double time);
 
 /// `mean`, `median`, `p99` and `max`, as report.json has them: 0 without any time. O(n log n) in
-/// what is kept.
+/// the times kept.
 nlohmann::ordered_json distribution(const TimeSample& sample);
 
 }  // namespace sunder

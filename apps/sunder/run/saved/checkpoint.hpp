@@ -16,10 +16,10 @@
 
 namespace sunder {
 
-/// Of the files below; raised whenever what they hold beside the saved state changes.
+/// Format of the files below; raised whenever their content besides the saved state changes.
 inline constexpr std::uint32_t checkpoint_format = 6;
 
-/// What has been recorded of a run so far.
+/// The record of a run so far.
 struct RunRecord {
   RunStatistics statistics;
   std::vector<PvdFrame> frames;
@@ -33,7 +33,7 @@ struct RunRecord {
 
 /// A run between two steps.
 struct Checkpoint {
-  /// What the scene file said. Its `scene` stands in the simulation alone.
+  /// The content of the scene file. Its `scene` stands in the simulation alone.
   SceneFile file;
   RunRecord record;
   Simulation simulation;

@@ -16,7 +16,7 @@ struct RunOnItsWay {
   Recorder recorder;
 };
 
-/// Goes on in `folder` from its latest checkpoint; what lies there beyond it is taken away. `until`
+/// Goes on in `folder` from its latest checkpoint; later content of the folder is removed. `until`
 /// above 0: to that time, s; frames and pictures go on at the distance they have. Errors:
 /// those of `read_checkpoint` and `Recorder::go_on`, other_log (events.jsonl is not that of the
 /// checkpoint), over_already; too_many_steps, too_many_frames, too_many_pictures (of `until`, or of
@@ -30,7 +30,7 @@ Result<RunOnItsWay> copy_run(const std::filesystem::path& folder, std::uint64_t 
 
 /// The run goes on by the settings of `changed` from here: gravity, contact, impact, fracture but
 /// its crack and criterion, ladder, kernel, ledger, output and duration may differ from those it
-/// had. Its log says so, and is no log to replay. Errors: not_in_mid_run, beside those above.
+/// had. Its log says so, and cannot be replayed. Errors: not_in_mid_run and those above.
 Result<RunOnItsWay> change_settings(const std::filesystem::path& folder, const SceneFile& changed);
 
 }  // namespace sunder

@@ -33,7 +33,7 @@ Finding cannot_lock(const fs::path& path, int error) {
           .file = path.string()};
 }
 
-/// What the holder of a lock says of itself.
+/// The holder's text in a lock file.
 std::string said_in(int file) {
   std::array<char, 256> text{};
   const ssize_t read = ::pread(file, text.data(), text.size(), 0);
@@ -149,7 +149,7 @@ FolderLock::~FolderLock() { let_go(); }
 
 void FolderLock::let_go() {
   if (file_ < 0) return;
-  ::unlink(path_.c_str());  // while it is held: who comes next makes a new one
+  ::unlink(path_.c_str());  // while it is held: the next run makes a new one
   ::close(file_);
   file_ = -1;
 }

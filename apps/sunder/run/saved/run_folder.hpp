@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The folder of a run: who may write there, what an earlier run left, what is its own.
+// The folder of a run: its lock, the files of an earlier run, the names of its own.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ namespace sunder {
 /// the process, however it ends. Movable; letting go removes the file.
 class FolderLock {
  public:
-  /// Makes the folder if there is none. Errors: `folder_in_use`, naming who holds it; cannot_write.
+  /// Makes the folder if there is none. Errors: `folder_in_use`, naming the holder; cannot_write.
   static Result<FolderLock> take(const std::filesystem::path& folder);
   FolderLock(FolderLock&& other) noexcept;
   FolderLock& operator=(FolderLock&& other) noexcept;
@@ -28,14 +28,14 @@ class FolderLock {
   int file_ = -1;
 };
 
-/// The first link among what a run writes or removes in a folder: followed, it could replace files
-/// elsewhere. Findings: link_in_folder.
+/// The first link among the files that a run writes or removes in a folder: if it were followed,
+/// it could replace files elsewhere. Findings: link_in_folder.
 std::optional<Finding> link_among_files(const std::filesystem::path& folder);
 
 /// Whether files of an earlier run lie there.
 bool holds_a_run(const std::filesystem::path& folder);
 
-/// Removes what an earlier run left: frames of two runs must not mix.
+/// Removes the files of an earlier run: frames of two runs must not mix.
 std::error_code empty_run_folder(const std::filesystem::path& folder);
 
 /// Frames and pictures of a run that are numbered from `frames` and `pictures` on are removed.
