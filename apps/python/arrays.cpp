@@ -3,6 +3,16 @@
 
 namespace sunder::python {
 
+Array<std::int64_t> integers(const py::object& numbers, const char* name) {
+  const py::array array = py::array::ensure(numbers);
+  if (!array) throw py::value_error(std::string(name) + " must be an array");
+  const char kind = array.dtype().kind();
+  if (array.size() > 0 && kind != 'i' && kind != 'u') {
+    throw py::value_error(std::string(name) + " must be whole numbers");
+  }
+  return Array<std::int64_t>::ensure(array);
+}
+
 Vec3 vec3(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
 
 py::array_t<double> array_of(const Vec3& v) {

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <cstring>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "mechanics/state/vec3.hpp"
@@ -67,6 +68,10 @@ const T* rows_of(const Array<T>& array, std::size_t width, const char* name) {
   }
   return array.data();
 }
+
+/// Whole numbers of an array or a list. Throws ValueError, with `name`, for numbers that a cast
+/// would change.
+Array<std::int64_t> integers(const py::object& numbers, const char* name);
 
 Vec3 vec3(const std::array<double, 3>& v);
 py::array_t<double> array_of(const Vec3& v);

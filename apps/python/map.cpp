@@ -65,7 +65,8 @@ VertexId vertex_of(const Map& m, std::int64_t vertex) {
 }
 
 /// Splits faces one by one; with `check` each split is compared with the laws of a face split.
-std::vector<Split> split_faces(Map& m, const Array<std::int64_t>& faces, bool check) {
+std::vector<Split> split_faces(Map& m, const py::object& given, bool check) {
+  const Array<std::int64_t> faces = integers(given, "faces");
   std::vector<HalfFaceId> list;
   for (py::ssize_t i = 0; i < faces.size(); ++i) list.push_back(face_of(m, faces.data()[i]));
   const InUse use(m.in_use);
@@ -111,7 +112,8 @@ py::array_t<std::int64_t> neighbours(const Map& m) {
   return result;
 }
 
-py::array_t<std::int64_t> find(const Map& m, const Array<std::int64_t>& points) {
+py::array_t<std::int64_t> find(const Map& m, const py::object& given) {
+  const Array<std::int64_t> points = integers(given, "points");
   const std::int64_t* from = rows_of(points, 3, "points");
   std::vector<std::array<std::uint32_t, 3>> triples(static_cast<std::size_t>(points.shape(0)));
   for (auto& triple : triples) {

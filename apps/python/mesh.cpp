@@ -66,9 +66,11 @@ std::vector<Finding> check_contents(const FileMesh& mesh) {
   return findings;
 }
 
-/// Copies rows of cells. Throws ValueError for negative rows, which no cast may hide.
+/// Copies rows of cells. Throws ValueError for rows that no cast may hide.
 template <std::size_t Corners>
-void fill(CellList<Corners>& cells, const Array<std::int64_t>& array, const char* name) {
+void fill(CellList<Corners>& cells, const py::object& given, const char* name) {
+  if (given.is_none()) return;
+  const Array<std::int64_t> array = integers(given, name);
   const std::int64_t* from = rows_of(array, Corners, name);
   cells.corners.resize(static_cast<std::size_t>(array.shape(0)));
   for (auto& corners : cells.corners) {
@@ -81,25 +83,32 @@ void fill(CellList<Corners>& cells, const Array<std::int64_t>& array, const char
   }
 }
 
-Mesh of_arrays(const Array<double>& points, const std::optional<Array<std::int64_t>>& tetrahedra,
-               const std::optional<Array<std::int64_t>>& triangles,
-               const std::optional<Array<std::int32_t>>& regions) {
+void fill_regions(CellList<4>& cells, const py::object& given) {
+  if (given.is_none()) return;
+  const Array<std::int64_t> array = integers(given, "regions");
+  if (array.ndim() != 1 || static_cast<std::size_t>(array.size()) != cells.corners.size()) {
+    throw py::value_error("regions must have one number per tetrahedron");
+  }
+  for (py::ssize_t t = 0; t < array.size(); ++t) {
+    const auto region = static_cast<std::int32_t>(array.data()[t]);
+    if (region != array.data()[t]) throw py::value_error("a region has more than 32 bits");
+    cells.region.push_back(region);
+  }
+}
+
+Mesh of_arrays(const Array<double>& points, const py::object& tetrahedra,
+               const py::object& triangles, const py::object& regions) {
   Mesh result;
   FileMesh& mesh = result.mesh;
   const double* from = rows_of(points, 3, "points");
   mesh.points.resize(static_cast<std::size_t>(points.shape(0)));
   static_assert(sizeof(Point) == 3 * sizeof(double));
-  if (!mesh.points.empty())
+  if (!mesh.points.empty()) {
     std::memcpy(mesh.points.data(), from, mesh.points.size() * sizeof(Point));
-  if (tetrahedra) fill(mesh.tetrahedra, *tetrahedra, "tetrahedra");
-  if (triangles) fill(mesh.triangles, *triangles, "triangles");
-  if (regions) {
-    const auto count = static_cast<std::size_t>(regions->size());
-    if (regions->ndim() != 1 || count != mesh.tetrahedra.corners.size()) {
-      throw py::value_error("regions must have one number per tetrahedron");
-    }
-    mesh.tetrahedra.region.assign(regions->data(), regions->data() + count);
   }
+  fill(mesh.tetrahedra, tetrahedra, "tetrahedra");
+  fill(mesh.triangles, triangles, "triangles");
+  fill_regions(mesh.tetrahedra, regions);
   refuse_errors(check_contents(mesh));
   return result;
 }

@@ -140,13 +140,21 @@ void bind_steps(py::class_<Stepped>& type) {
       .def("_history_csv",
            [](const Stepped& sim) { return alone(sim, [&] { return history_text(sim); }); })
       .def_property_readonly(
-          "steps_taken", [](const Stepped& sim) { return steps_taken(sim.simulation); },
+          "steps_taken",
+          [](const Stepped& sim) {
+            const InUse use(sim.in_use);
+            return steps_taken(sim.simulation);
+          },
           "Number of steps since the start.")
       .def_property_readonly(
           "step_count", [](const Stepped& sim) { return step_count(sim.simulation.scene); },
           "Number of steps of the scene.")
       .def_property_readonly(
-          "time", [](const Stepped& sim) { return simulated_time(sim.simulation); },
+          "time",
+          [](const Stepped& sim) {
+            const InUse use(sim.in_use);
+            return simulated_time(sim.simulation);
+          },
           "s, since the start.")
       .def_readonly("findings", &Stepped::findings,
                     "Warnings and notes about the scene: a list of Finding.");

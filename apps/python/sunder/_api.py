@@ -73,10 +73,10 @@ class Simulation(_sunder.SimulationBase):
         failed = False
         try:
             while self.steps_taken < self.step_count and (until is None or self.time < until):
-                failed = True
-                report = self.step()
-                failed = False
-                yield report
+                yield self.step()
+        except _sunder.Error:
+            failed = True
+            raise
         finally:
             if folder is not None:
                 self._finish_run(failed)

@@ -69,6 +69,10 @@ class Meshes(unittest.TestCase):
         self.assertIn("index_out_of_range", str(caught.exception))
         with self.assertRaises(ValueError):
             sunder.Mesh(numpy.zeros((4, 3)), [[-1, 1, 2, 3]])
+        for tetrahedra, regions in (([[0, 1, 2, 2.5]], None), ([[0.0, 1.0, 2.0, 3.0]], None), ([[0, 1, 2]], None),
+                                    ([[0, 1, 2, 3]], [2 ** 40]), ([[0, 1, 2, 3]], [1, 2])):
+            with self.assertRaises(ValueError):
+                sunder.Mesh(numpy.eye(4, 3), tetrahedra, regions=regions)
         with self.assertRaises(ValueError):
             sunder.Mesh(numpy.zeros((4, 2)))
         with self.assertRaises(sunder.Error):
@@ -196,6 +200,32 @@ class Simulations(unittest.TestCase):
             with self.assertRaises(sunder.Error) as caught:
                 next(sunder.Simulation(MONOLITH, settings=settings).run(ours))
             self.assertEqual(caught.exception.findings[0].code, "folder_holds_a_run")
+
+    def test_a_run_that_is_left_early_can_be_continued_by_the_program(self):
+        settings = ["duration=0.06", "output.frames=5"]
+        with tempfile.TemporaryDirectory() as folder:
+            ours, theirs = pathlib.Path(folder) / "1", pathlib.Path(folder) / "2"
+            for report in sunder.Simulation(MONOLITH, settings=settings).run(ours):
+                if report.step == 100:
+                    break
+            del report
+            gc.collect()
+            program("run", "--resume", ours, "--quiet")
+            program("run", MONOLITH, "-o", theirs, "--quiet", *(w for s in settings for w in ("--set", s)))
+            for name in ("events.jsonl", "history.csv", "fragments.csv"):
+                self.assertEqual((ours / name).read_bytes(), (theirs / name).read_bytes(), name)
+
+    def test_a_run_that_fails_says_so_and_ends_its_files(self):
+        with tempfile.TemporaryDirectory() as folder:
+            sim = breaking(settings={"integrator.method": "verlet", "fracture.mode": "off"})
+            with self.assertRaises(sunder.Error) as caught:
+                list(sim.run(folder))
+            self.assertTrue(caught.exception.findings[0].remedy)
+            report = json.loads((pathlib.Path(folder) / "report.json").read_text())
+            self.assertEqual(report["end"], "failed")
+            with self.assertRaises(sunder.Error) as caught:
+                sim.step()
+            self.assertEqual(caught.exception.findings[0].code, "simulation_failed")
 
     def test_an_array_from_before_a_split_stays_as_it_was(self):
         sim = breaking()
