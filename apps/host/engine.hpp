@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "apps/host/sunder.h"
+#include "apps/scene/scene_json.hpp"
 #include "fracture/algorithms/fan_event.hpp"
 #include "fracture/simulation/simulation.hpp"
 
@@ -37,6 +39,7 @@ struct sunder_engine {
   sunder::Simulation simulation;
   sunder_report report{};
   std::string error;
+  std::vector<sunder::Finding> findings;  ///< those of `error`
   std::optional<sunder::Spring> spring;
   std::size_t loads = 0;  ///< those of the scene; the spring's come after them
   bool failed = false;
@@ -52,6 +55,13 @@ namespace sunder {
 
 /// The engine of a simulation as it is.
 std::unique_ptr<sunder_engine> make_engine(Simulation simulation);
+
+/// Reads the scene of an engine.
+using SceneReader = std::function<Result<SceneFile>()>;
+
+/// An engine with the scene that `read` gives, or null, with the findings for `sunder_error`. Never
+/// throws.
+sunder_engine* engine_of(const SceneReader& read) noexcept;
 
 /// Fills the bytes of one column. Needs: column < SUNDER_COLUMNS. O(|V| + |T|).
 void fill_column(std::vector<unsigned char>& bytes, const Simulation& simulation,

@@ -4,76 +4,72 @@
 
 #include <algorithm>
 #include <cstring>
-#include <map>
+#include <exception>
+#include <iterator>
 #include <memory>
 #include <new>
+#include <string>
 #include <string_view>
 
+#include "apps/host/creation_error.hpp"
 #include "apps/host/engine.hpp"
-#include "apps/scene/scene_json.hpp"
+#include "apps/host/memory_scene.hpp"
 #include "apps/scene/words.hpp"
 #include "fracture/saving/saved_state.hpp"
 #include "fracture/simulation/simulation_state.hpp"
-#include "topology/io/face_list.hpp"
-#include "topology/io/mesh_file.hpp"
+#include "topology/base/fnv1a.hpp"
 
 namespace {
 
 using namespace sunder;
 
 constexpr std::string_view out_of_memory = "out of memory";
+constexpr std::string_view internal_fault = "internal fault";
 // In a string without memory of its own, where there is none left.
-static_assert(out_of_memory.size() <= 15);
-
-/// What was wrong with a creation, a thread each. Of fixed size, as a thread asks for memory at the
-/// first use of what has a destructor, and ends the process where there is none.
-class CreationError {
- public:
-  void say(std::string_view words) {
-    constexpr std::string_view more = "there is more\n";
-    if (words.size() >= sizeof text_) {
-      words = words.substr(0, sizeof text_ - 1 - more.size());
-      words = words.substr(0, words.rfind('\n') + 1);
-      std::memcpy(text_ + words.size(), more.data(), more.size() + 1);
-    } else {
-      text_[words.size()] = 0;
-    }
-    std::memcpy(text_, words.data(), words.size());
-  }
-  const char* text() const { return text_; }
-
- private:
-  char text_[1 << 14] = {};
-};
+static_assert(out_of_memory.size() <= 15 && internal_fault.size() <= 15);
 
 CreationError& creation_error() {
   static thread_local CreationError error;
   return error;
 }
 
-/// Creates an engine, or tells why not.
+/// Creates an engine, or says why not.
 template <class Create>
 sunder_engine* created(const Create& create) noexcept {
   try {
-    std::string words;
-    std::unique_ptr<sunder_engine> engine = create(words);
-    creation_error().say(words);
+    std::vector<Finding> findings;
+    std::unique_ptr<sunder_engine> engine = create(findings);
+    creation_error().say(finding_lines(findings), findings);
     return engine.release();
   } catch (const std::bad_alloc&) {
-    creation_error().say(out_of_memory);
-    return nullptr;
+    creation_error().say(out_of_memory, {});
+  } catch (const std::exception& fault) {
+    creation_error().say(fault.what(), {});
   }
+  return nullptr;
 }
 
-/// Does something with an engine that is whole. 1 where it is not, or where memory ran out.
+/// Notes why a call failed.
+int refuse(sunder_engine* engine, std::vector<Finding> findings, sunder_result result) {
+  engine->error = finding_lines(findings);
+  engine->findings = std::move(findings);
+  return result;
+}
+
+/// Does something with an engine that is whole. A failure where it is not, or where memory ran out.
 template <class Do>
 int done(sunder_engine* engine, const Do& action) noexcept {
-  if (engine->torn) return 1;
+  if (engine->torn) return SUNDER_NO_MEMORY;
   try {
     return action();
   } catch (const std::bad_alloc&) {
+    engine->findings.clear();
     engine->error = out_of_memory;
-    return 1;
+    return SUNDER_NO_MEMORY;
+  } catch (const std::exception&) {  // no thread could be started, or a fault of ours
+    engine->findings.clear();
+    engine->error = internal_fault;
+    return SUNDER_FAILED;
   }
 }
 
@@ -88,70 +84,16 @@ int changed(sunder_engine* engine, const Do& action) noexcept {
   });
 }
 
-/// Copies as much of a struct as the caller has room for.
-template <class T>
-void give(T* target, T source) {
-  if (target == nullptr) return;
-  const std::uint32_t size = std::min<std::uint32_t>(target->size, sizeof(T));
-  source.size = target->size;
-  std::memcpy(target, &source, size);
+Finding bad_size(const char* type) {
+  return {.code = "bad_size",
+          .text = std::string("the size of a ") + type + " is too small",
+          .remedy = std::string("set its field size to sizeof(") + type + ")"};
 }
 
-/// The files of a scene by name, in memory.
-struct MemoryFiles {
-  std::map<std::string, std::string_view, std::less<>> bytes;
-
-  Result<std::string_view> find(const std::string& name) const {
-    if (const auto file = bytes.find(name); file != bytes.end()) return file->second;
-    std::string known;
-    for (const auto& [other, content] : bytes) known += (known.empty() ? "" : ", ") + other;
-    return Finding{.code = "cannot_open",
-                   .text = "there is no file " + name,
-                   .remedy = known.empty() ? "give it with the scene" : "there are: " + known,
-                   .file = name};
-  }
-};
-
-template <class T, class Read>
-Result<T> read_found(const MemoryFiles& files, const std::string& name, const Read& read) {
-  const Result<std::string_view> bytes = files.find(name);
-  if (bytes) return read(*bytes);
-  Result<T> missing;
-  missing.findings = bytes.findings;
-  return missing;
-}
-
-Result<SceneFile> read_scene_in_memory(const sunder_scene& scene) {
-  MemoryFiles files;
-  for (std::uint32_t i = 0; i < scene.file_count; ++i) {
-    const sunder_file& file = scene.files[i];
-    files.bytes[file.name] = {static_cast<const char*>(file.bytes), file.size};
-  }
-  std::vector<std::string> settings(scene.settings, scene.settings + scene.setting_count);
-  const SceneFiles readers{
-      .mesh =
-          [&](const std::string& name) {
-            return read_found<TetMesh>(files, name,
-                                       [&](std::string_view b) { return read_mesh(b, name); });
-          },
-      .surface =
-          [&](const std::string& name) {
-            return read_found<FileMesh>(files, name, [&](std::string_view b) {
-              return read_file_mesh(b, name, {.simplices = true});
-            });
-          },
-      .faces =
-          [&](const std::string& name) {
-            using Faces = std::vector<std::array<std::uint32_t, 3>>;
-            return read_found<Faces>(files, name,
-                                     [&](std::string_view b) { return read_face_list(b, name); });
-          },
-      .point_field =
-          [&](const std::string& name, const std::string& field) {
-            return read_found<std::vector<double>>(
-                files, name, [&](std::string_view b) { return read_point_field(b, name, field); });
-          }};
-  return read_scene({{scene.text, scene.text_size}, scene.name}, readers, settings);
+Finding not_a_number() {
+  return {.code = "not_a_number",
+          .text = "the stress of a vertex is not a number",
+          .remedy = "take shorter steps, or look for a body that is torn apart"};
 }
 
 void note_step(sunder_report& r, const StepReport& step) {
@@ -240,15 +182,19 @@ std::unique_ptr<sunder_engine> sunder::make_engine(Simulation simulation) {
 
 uint32_t sunder_abi(void) { return SUNDER_ABI; }
 
-sunder_engine* sunder_create(const sunder_scene* scene) {
-  return created([scene](std::string& words) -> std::unique_ptr<sunder_engine> {
-    Result<SceneFile> file = read_scene_in_memory(*scene);
-    words = finding_lines(file.findings);
+sunder_engine* sunder::engine_of(const SceneReader& read) noexcept {
+  return created([&read](std::vector<Finding>& findings) -> std::unique_ptr<sunder_engine> {
+    Result<SceneFile> file = read();
+    findings = std::move(file.findings);
     if (!file) return nullptr;
     Result<Simulation> simulation = build_simulation(std::move(file->scene));
-    words += finding_lines(simulation.findings);
+    std::ranges::move(simulation.findings, std::back_inserter(findings));
     return simulation ? make_engine(std::move(*simulation)) : nullptr;
   });
+}
+
+sunder_engine* sunder_create(const sunder_scene* scene) {
+  return engine_of([scene] { return read_scene_in_memory(*scene); });
 }
 
 void sunder_destroy(sunder_engine* engine) { delete engine; }
@@ -262,17 +208,16 @@ int sunder_step(sunder_engine* engine, sunder_report* report) {
                        note_step(engine->report, step);
                        keep_fans(*engine, step);
                        if (step.status.outcome != StepOutcome::fine) {
-                         engine->error = finding_lines({to_finding(step.status)});
-                         return 1;
+                         return refuse(engine, {to_finding(step.status)}, SUNDER_FAILED);
                        }
-                       if (!step.fracture.not_a_number) return 0;
-                       engine->error = "the stress of a vertex is not a number\n";
-                       return 1;
+                       if (!step.fracture.not_a_number) return int{SUNDER_OK};
+                       return refuse(engine, {not_a_number()}, SUNDER_FAILED);
                      }) != 0;
     engine->report.outcome = engine->failed;
   }
   give(report, engine->report);
-  return engine->failed;
+  if (!engine->failed) return SUNDER_OK;
+  return engine->torn ? SUNDER_NO_MEMORY : SUNDER_FAILED;
 }
 
 void sunder_last_report(const sunder_engine* engine, sunder_report* report) {
@@ -280,8 +225,14 @@ void sunder_last_report(const sunder_engine* engine, sunder_report* report) {
 }
 
 int sunder_read(sunder_engine* engine, uint32_t column, sunder_span* span) {
-  if (column >= SUNDER_COLUMNS) return 1;
   return done(engine, [=] {
+    if (column >= SUNDER_COLUMNS) {
+      return refuse(engine,
+                    {{.code = "no_such_column",
+                      .text = "there is no column " + std::to_string(column),
+                      .remedy = "take one of sunder_column"}},
+                    SUNDER_REFUSED);
+    }
     std::vector<unsigned char>& bytes = engine->columns[column];
     if (column == SUNDER_FAN || column == SUNDER_FAN_FACE) {
       fill_fans(bytes, engine->fans, static_cast<sunder_column>(column));
@@ -289,25 +240,34 @@ int sunder_read(sunder_engine* engine, uint32_t column, sunder_span* span) {
       fill_column(bytes, engine->simulation, static_cast<sunder_column>(column));
     }
     *span = {bytes.data(), bytes.size()};
-    return 0;
+    return int{SUNDER_OK};
   });
 }
 
 int sunder_inspect(sunder_engine* engine, uint32_t vertex, sunder_vertex* result) {
   return done(engine, [=] {
-    if (vertex >= engine->simulation.state->mechanics.vertices.size()) return 1;
+    if (vertex >= engine->simulation.state->mechanics.vertices.size()) {
+      return refuse(engine,
+                    {{.code = "no_such_vertex",
+                      .text = "there is no vertex " + std::to_string(vertex),
+                      .remedy = "give a row of SUNDER_POSITION"}},
+                    SUNDER_REFUSED);
+    }
     sunder_vertex found{};
     inspect_vertex(found, engine->simulation, VertexId{vertex});
     give(result, found);
-    return 0;
+    return int{SUNDER_OK};
   });
 }
 
 int sunder_act(sunder_engine* engine, const sunder_action* action) {
   return changed(engine, [=] {
+    if (action->size < sizeof(sunder_action)) {
+      return refuse(engine, {bad_size("sunder_action")}, SUNDER_REFUSED);
+    }
     const std::optional<Finding> finding = do_action(*engine, *action);
-    engine->error = finding ? finding_lines({*finding}) : "";
-    return finding ? 1 : 0;
+    if (finding) return refuse(engine, {*finding}, SUNDER_REFUSED);
+    return refuse(engine, {}, SUNDER_OK);
   });
 }
 
@@ -321,14 +281,35 @@ void sunder_save(sunder_engine* engine, sunder_span* span) {
   });
 }
 
+int sunder_hash(sunder_engine* engine, uint64_t* hash) {
+  sunder_span state;
+  sunder_save(engine, &state);
+  if (state.bytes == nullptr) return SUNDER_NO_MEMORY;
+  Fnv1a sum;
+  sum.add({static_cast<const char*>(state.bytes), state.size});
+  *hash = sum.value;
+  return SUNDER_OK;
+}
+
 sunder_engine* sunder_restore(const void* bytes, size_t size) {
-  return created([=](std::string& words) -> std::unique_ptr<sunder_engine> {
+  return created([=](std::vector<Finding>& findings) -> std::unique_ptr<sunder_engine> {
     Result<Simulation> simulation = restore({static_cast<const char*>(bytes), size});
-    words = finding_lines(simulation.findings);
+    findings = std::move(simulation.findings);
     return simulation ? make_engine(std::move(*simulation)) : nullptr;
   });
 }
 
 const char* sunder_error(const sunder_engine* engine) {
-  return engine ? engine->error.c_str() : creation_error().text();
+  return engine ? engine->error.c_str() : creation_error().lines();
+}
+
+uint32_t sunder_finding_count(const sunder_engine* engine) {
+  return static_cast<uint32_t>(engine ? engine->findings.size()
+                                      : creation_error().findings().size());
+}
+
+int sunder_get_finding(const sunder_engine* engine, uint32_t row, sunder_finding* finding) {
+  if (row >= sunder_finding_count(engine)) return SUNDER_REFUSED;
+  give(finding, engine ? finding_of(engine->findings[row]) : creation_error().findings()[row]);
+  return SUNDER_OK;
 }

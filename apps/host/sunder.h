@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* A simulation for hosts in any language: plain C, one opaque handle, structs that carry their
-   size. The page (docs/howto/embed.md) is one such host, through WebAssembly and through a server.
- */
-#pragma once
+/* A simulation for hosts in any language: plain C99, one opaque handle, structs that carry their
+   size (docs/howto/c.md). The page is one such host, through WebAssembly and through a server. */
+#ifndef SUNDER_H
+#define SUNDER_H
 
 #include <stddef.h>
 #include <stdint.h>
@@ -16,6 +16,23 @@ extern "C" {
  */
 #define SUNDER_ABI 1
 
+/** Marks the functions of the shared library. */
+#if defined(__GNUC__)
+#define SUNDER_API __attribute__((visibility("default")))
+#else
+#define SUNDER_API
+#endif
+
+/** Outcome of a call. Each value but SUNDER_OK is a failure, and sunder_get_finding has the
+ * reasons.
+ */
+typedef enum sunder_result {
+  SUNDER_OK = 0,
+  SUNDER_REFUSED = 1,  /**< the request is impossible, and nothing has changed */
+  SUNDER_FAILED = 2,   /**< the simulation has failed in this or an earlier step */
+  SUNDER_NO_MEMORY = 3 /**< memory ran out; there are no findings */
+} sunder_result;
+
 /** A scene with its state and the actions on it. One thread at a time may use it. */
 typedef struct sunder_engine sunder_engine;
 
@@ -26,7 +43,33 @@ typedef struct sunder_file {
   size_t size;
 } sunder_file;
 
-/** A scene in memory. */
+/** A mesh of arrays, under the name that the scene uses for it. The arrays are copied. */
+typedef struct sunder_mesh {
+  uint32_t size;     /**< sizeof(sunder_mesh) */
+  uint32_t reserved; /**< 0 */
+  const char* name;
+  const double* points; /**< 3 per point, m */
+  size_t point_count;
+  const uint32_t* tetrahedra; /**< 4 rows of points per tetrahedron, counted from 0 */
+  size_t tetrahedron_count;
+  const int32_t* regions; /**< one per tetrahedron, or null */
+} sunder_mesh;
+
+typedef enum sunder_shape_kind {
+  SUNDER_BLOCK = 0 /**< a box with a corner at the origin, of cubes of six tetrahedra */
+} sunder_shape_kind;
+
+/** A mesh of a simple shape, under the name that the scene uses for it. */
+typedef struct sunder_shape {
+  uint32_t size; /**< sizeof(sunder_shape) */
+  uint32_t kind;
+  const char* name;
+  double lengths[3]; /**< m */
+  uint32_t cells[3]; /**< number of cubes along each axis */
+  uint32_t reserved; /**< 0 */
+} sunder_shape;
+
+/** A scene in memory. Bodies and obstacles name files, meshes and shapes alike: {"mesh": "a"}. */
 typedef struct sunder_scene {
   uint32_t size; /**< sizeof(sunder_scene) */
   uint32_t file_count;
@@ -36,7 +79,27 @@ typedef struct sunder_scene {
   const sunder_file* files;
   const char* const* settings; /**< each "dotted.path=value", applied before reading */
   uint32_t setting_count;
+  uint32_t reserved; /**< not read: the end of the first version may have padding here */
+  const sunder_mesh* const* meshes;
+  const sunder_shape* const* shapes;
+  uint32_t mesh_count;
+  uint32_t shape_count;
 } sunder_scene;
+
+/** A fault or remark about an input. Texts are UTF-8 and never null. They are valid until the next
+    call with the same engine, or the next creation of the thread. */
+typedef struct sunder_finding {
+  uint32_t size;      /**< sizeof(sunder_finding), set by the caller */
+  uint32_t severity;  /**< 0: note, 1: warning, 2: error */
+  const char* code;   /**< stable name, such as "flat_tetrahedron" */
+  const char* text;   /**< the fault, its place and the expected value */
+  const char* remedy; /**< the remedy */
+  const char* file;   /**< empty without a file */
+  uint64_t line;      /**< counted from 1; 0 without a line */
+  uint64_t count;     /**< number of cells or places with this fault */
+  const int64_t* ids; /**< the first of these, at most 16: rows from 0 */
+  uint64_t id_count;
+} sunder_finding;
 
 /** Report of one step, and the state of the simulation after it. */
 typedef struct sunder_report {
@@ -156,48 +219,66 @@ typedef struct sunder_vertex {
   double speed;        /**< m/s */
 } sunder_vertex;
 
-/* No function throws. Without memory a function returns 1 or null, and sunder_error returns "out of
-   memory". After that in a step or an action every call fails in this way: destroy the engine. */
+/* No function throws. Input structs of an older version are accepted by their size, and their
+   missing fields count as 0. After SUNDER_NO_MEMORY in a step or an action every call fails in this
+   way: destroy the engine. */
 
 /** SUNDER_ABI of the library. */
-uint32_t sunder_abi(void);
+SUNDER_API uint32_t sunder_abi(void);
 
 /** Creates an engine with a scene at its start. Returns null for a scene with errors, and
-    sunder_error(null) returns them. */
-sunder_engine* sunder_create(const sunder_scene* scene);
+    sunder_get_finding(null, ...) returns them. */
+SUNDER_API sunder_engine* sunder_create(const sunder_scene* scene);
+
+/** Creates the same from a scene file with the files that it names. `settings` is as in
+    sunder_scene. Not in WebAssembly. */
+SUNDER_API sunder_engine* sunder_open(const char* path, const char* const* settings,
+                                      uint32_t setting_count);
 
 /** Ends an engine and frees its memory. Null is allowed. */
-void sunder_destroy(sunder_engine* engine);
+SUNDER_API void sunder_destroy(sunder_engine* engine);
 
-/** Takes one step of the scene's length. Returns 0, or 1 if the simulation has failed in this or an
-    earlier step. Its state can then be read, and not advanced. `report` may be null. */
-int sunder_step(sunder_engine* engine, sunder_report* report);
+/** Takes one step of the scene's length. Returns a sunder_result. After SUNDER_FAILED the state can
+    be read, and not advanced. `report` may be null. */
+SUNDER_API int sunder_step(sunder_engine* engine, sunder_report* report);
 
 /** Gives the report of the last step, or of the start. */
-void sunder_last_report(const sunder_engine* engine, sunder_report* report);
+SUNDER_API void sunder_last_report(const sunder_engine* engine, sunder_report* report);
 
-/** Gives the present bytes of one column, row after row. Returns 0, or 1 for an unknown column. */
-int sunder_read(sunder_engine* engine, uint32_t column, sunder_span* span);
+/** Gives the present bytes of one column, row after row. Returns a sunder_result. */
+SUNDER_API int sunder_read(sunder_engine* engine, uint32_t column, sunder_span* span);
 
-/** Gives the state of one vertex. Returns 0, or 1 if there is no such vertex. */
-int sunder_inspect(sunder_engine* engine, uint32_t vertex, sunder_vertex* result);
+/** Gives the state of one vertex. Returns a sunder_result. */
+SUNDER_API int sunder_inspect(sunder_engine* engine, uint32_t vertex, sunder_vertex* result);
 
-/** Carries out an action. Returns 0, or 1 if that is impossible, and sunder_error has the reason.
- */
-int sunder_act(sunder_engine* engine, const sunder_action* action);
+/** Carries out an action. Returns a sunder_result. */
+SUNDER_API int sunder_act(sunder_engine* engine, const sunder_action* action);
 
 /** Gives the whole simulation as bytes (docs/lab/saved_state.md), without the spring of a pull. The
     bytes are null if memory ran out. */
-void sunder_save(sunder_engine* engine, sunder_span* span);
+SUNDER_API void sunder_save(sunder_engine* engine, sunder_span* span);
 
-/** Creates an engine from such bytes. Returns null for other bytes, and sunder_error(null) has the
-    reason. */
-sunder_engine* sunder_restore(const void* bytes, size_t size);
+/** Creates an engine from such bytes. Returns null for other bytes, and sunder_get_finding(null,
+    ...) has the reason. */
+SUNDER_API sunder_engine* sunder_restore(const void* bytes, size_t size);
 
-/** Returns the last errors, one per line, UTF-8, or an empty text. With null it returns those of
-    create and restore. After a successful create it returns warnings about the scene. */
-const char* sunder_error(const sunder_engine* engine);
+/** Gives a number (FNV-1a, 64 bits) of the bytes of sunder_save. Equal simulations have equal
+    numbers. Returns a sunder_result. O(state). */
+SUNDER_API int sunder_hash(sunder_engine* engine, uint64_t* hash);
+
+/** Returns the last errors as text with one per line, UTF-8, or an empty text. With null it returns
+    those of the last creation of this thread. After a successful one it returns its warnings. */
+SUNDER_API const char* sunder_error(const sunder_engine* engine);
+
+/** Number of findings behind that text. */
+SUNDER_API uint32_t sunder_finding_count(const sunder_engine* engine);
+
+/** Gives one of these findings. Returns SUNDER_REFUSED for a row that does not exist. */
+SUNDER_API int sunder_get_finding(const sunder_engine* engine, uint32_t row,
+                                  sunder_finding* finding);
 
 #ifdef __cplusplus
 }
+#endif
+
 #endif

@@ -57,6 +57,9 @@ struct SceneFiles {
       point_field;
 };
 
+/// Readers of files by their paths from a folder. Errors: as `read_scene` of a path.
+SceneFiles files_in(const std::filesystem::path& folder, SceneReach reach = SceneReach::anywhere);
+
 /// The bytes of a scene in memory; `name` stands in the findings.
 struct SceneBytes {
   std::string_view text;

@@ -72,33 +72,38 @@ Result<SceneFile> read_scene(const std::filesystem::path& path,
                    .file = path.string()};
   }
   const std::string bytes(std::istreambuf_iterator<char>(in), {});
-  const std::filesystem::path folder = path.parent_path();
+  return read_scene({bytes, path.string()}, files_in(path.parent_path(), reach), settings);
+}
+
+SceneFiles files_in(const std::filesystem::path& folder, SceneReach reach) {
   // The result of `read` for a file of this name, if the scene may name it.
-  const auto within = [&]<class Read>(const std::string& name, const Read& read) {
+  const auto within = [=]<class Read>(const std::string& name, const Read& read) {
     if (reach == SceneReach::own_folder) {
-      if (auto finding = refusal(folder, name)) return decltype(read(path))(std::move(*finding));
+      if (auto finding = refusal(folder, name)) {
+        return decltype(read(folder))(std::move(*finding));
+      }
     }
     return read(folder / name);
   };
   using Path = std::filesystem::path;
-  const SceneFiles files{
+  return {
       .mesh =
-          [&](const std::string& name) {
+          [=](const std::string& name) {
             return within(name, [](const Path& file) { return refuse_curved(read_mesh(file)); });
           },
       .surface =
-          [&](const std::string& name) {
-            return within(name, [](const Path& file) { return read_file_mesh(file, {.simplices = true}); });
+          [=](const std::string& name) {
+            return within(
+                name, [](const Path& file) { return read_file_mesh(file, {.simplices = true}); });
           },
       .faces =
-          [&](const std::string& name) {
+          [=](const std::string& name) {
             return within(name, [](const Path& file) { return read_face_list(file); });
           },
       .point_field =
-          [&](const std::string& name, const std::string& field) {
+          [=](const std::string& name, const std::string& field) {
             return within(name, [&](const Path& file) { return read_point_field(file, field); });
           }};
-  return read_scene({bytes, path.string()}, files, settings);
 }
 
 }  // namespace sunder

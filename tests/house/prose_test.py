@@ -13,7 +13,7 @@ Words: none that FORBIDDEN or PATTERNS find, in tables neither.
 Tables: each column has a heading, and a sentence stands before the table.
 Beginning: the first sentence of a tutorial, how-to or reference page starts with one of BEGINNINGS.
 Terms: a page in docs/ that uses one of TERMS has a link to that entry of the glossary.
-The whole: at most 30 pages and 45 000 words, and the lab grows no further.
+The whole: at most 31 pages and 46 200 words, and the lab grows no further.
 """
 
 import pathlib
@@ -22,7 +22,7 @@ import sys
 import unittest
 
 MOST_WORDS, MOST_ON_AVERAGE = 25, 16
-MOST_PAGES, MOST_WORDS_OF_ALL, MOST_WORDS_OF_LAB = 30, 45000, 40000
+MOST_PAGES, MOST_WORDS_OF_ALL, MOST_WORDS_OF_LAB = 31, 46200, 40000
 TOP = ("README.md", "CONTRIBUTING.md", "SECURITY.md", "THIRD_PARTY.md", "meshes/README.md")
 # Written by docs/make_reference.py, which has rules of its own (help_test.py).
 GENERATED = ("docs/reference/commands.md", "docs/reference/scene.md", "docs/reference/output.md")

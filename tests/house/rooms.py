@@ -95,6 +95,8 @@ ROOMS = (
     ("apps/bench", "sunder-bench: measurements, charts, judging kernels",
      ("topology/*", "mechanics/*", "fracture/*", "apps/scene", "apps/output", "apps/render",
       "apps/sunder")),
+    ("apps/python", "the Python module",
+     ("topology/*", "mechanics/*", "fracture/*", "apps/scene", "apps/output", "apps/host", "apps/sunder")),
     ("apps/sunder-mesh", "surfaces to tetrahedra, under the GPL",
      ("topology/base", "topology/kernel", "topology/mesh", "topology/io")),
 )

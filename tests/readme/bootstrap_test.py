@@ -71,7 +71,7 @@ class Bootstrap(unittest.TestCase):
         code, calls, said = self.bootstrap("all")
         self.assertEqual(code, 0)
         self.assertEqual(calls, ["cmake --preset release -DBUILD_TESTING=OFF",
-                                 "cmake --build --preset release --target sunder sunder-bench page sunder_doors"])
+                                 "cmake --build --preset release --target sunder sunder-bench page sunder_doors sunder_c python"])
         self.assertIn("sunder view", said)
 
     def test_tests_without_and_with_long_ones(self):
@@ -104,7 +104,9 @@ class Bootstrap(unittest.TestCase):
             self.assertIn(f" {name} ", installed("docs"))
         self.assertNotIn(" g++ ", installed("docs"))
         # node and npm are there already, whoever brought them.
-        self.assertEqual(installed("all"), run + " gnuplot-nox")
+        python = " python3-dev python3-numpy python3-matplotlib pybind11-dev"
+        self.assertEqual(installed("all"), run + " gnuplot-nox" + python)
+        self.assertIn(python, test)
 
     def test_without_npm_the_page_is_refused(self):
         (self.tools / "npm").unlink()

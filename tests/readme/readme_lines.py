@@ -5,7 +5,7 @@
     tests/readme/readme_lines.py [--after SET-UP] [--quick] [--build build/release] [--scratch FOLDER]
                                  [--readme README.md] [--check] [--compiler c++]
 
-Each block ```sh or ```cpp of the page stands after a comment:
+Each block ```sh, ```cpp or ```python of the page stands after a comment:
   <!-- after: SET-UP -->              it runs; SET-UP is `git clone`, `./bootstrap run` or `./bootstrap all`
   <!-- after: SET-UP, warns -->       it runs, and its lines may print warnings
   <!-- after: SET-UP, with gmsh -->   it runs where the programs named are installed
@@ -13,7 +13,7 @@ Each block ```sh or ```cpp of the page stands after a comment:
 A block of another kind after <!-- file: PATH --> is written to that file, as a reader would. Blocks after `git clone`
 hold calls of ./bootstrap only; in_debootstrap.sh runs those. Of the others each line of sh is run by bash with the
 variables that lines before it set; a block of cpp is compiled against the installed libraries of the build folder, and
-run. A line fails where it ends with another code than 0, or with another than its comment names (`ends with exit code 1`), or
+run; a block of python is run by Debian's python3 with the build folder's module, where that was built. A line fails where it ends with another code than 0, or with another than its comment names (`ends with exit code 1`), or
 prints a warning. Words in capitals alone (SCENE) are refused: no line has a gap to fill. `sunder` is that of the build
 folder; scene.json, body.msh and mesh.msh are the reader's own, here the sample ball.
 
@@ -71,7 +71,7 @@ def block_of(mark, kind, number, lines):
     word, text = mark or (None, "")
     if word == "file":
         return Block("file", text, number, lines, False, []), []
-    if kind not in ("sh", "cpp"):
+    if kind not in ("sh", "cpp", "python"):
         wrong = [] if word is None else [f"line {number}: a comment names a set-up for a block that is not run"]
         return None, wrong
     if word == "not run":
@@ -279,6 +279,13 @@ def run_program(block, build, scratch, compiler):
         "{host}/built/host".format(**quoted), scratch)
 
 
+def run_python(block, scratch):
+    """Runs a block of Python with the module, without a display."""
+    script = scratch / "block.py"
+    script.write_text("\n".join(line.text for line in block.lines) + "\n")
+    return run_line(["export MPLBACKEND=Agg PYTHONPATH=build/release/python"], "/usr/bin/python3 -B block.py", scratch)
+
+
 def expected_code(text):
     """The exit code that a line's comment names."""
     match = EXIT_CODE.search(comment_of(text))
@@ -348,7 +355,13 @@ def run_blocks(blocks, arguments, scratch):
             write_block(block, scratch, arguments.quick)
         elif block.kind == "sh":
             fine &= run_shell_block(block, arguments, scratch, prelude, missing)
-        elif not arguments.after or block.after == arguments.after:
+        elif arguments.after and block.after != arguments.after:
+            continue
+        elif block.kind == "python":
+            made = any((build / "python/sunder").glob("_sunder*.so"))
+            fine &= report(block.number, "quick" if made else "no module", run_python(block, scratch) if made else None,
+                           "the program of Python")
+        else:
             fine &= report(block.number, "quick", run_program(block, build, scratch, arguments.compiler),
                            "the program, compiled and run")
     return fine
@@ -368,8 +381,8 @@ def main():
     page = arguments.readme.read_text(encoding="utf-8")
     blocks, wrong = read_blocks(page)
     wrong += faults(blocks)
-    if not re.search(r"^```(?:sh|cpp)$", page, re.MULTILINE):
-        wrong.append("no block of sh or cpp: nothing to run")
+    if not re.search(r"^```(?:sh|cpp|python)$", page, re.MULTILINE):
+        wrong.append("no block of sh, cpp or python: nothing to run")
     for text in wrong:
         print(f"{arguments.readme.name}, {text}", file=sys.stderr)
     if wrong:

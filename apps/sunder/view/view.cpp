@@ -39,11 +39,18 @@ Examples:
   sunder view meshes/scenes/bunny.json --headless --port 8080
 )";
 
-constexpr const char* built_page = SUNDER_PAGE;
+/// The page of an installed program, share/sunder/page near its own folder, or that of the build.
+std::filesystem::path usual_page() {
+  std::error_code unknown;
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", unknown);
+  const std::filesystem::path installed = program.parent_path().parent_path() / "share/sunder/page";
+  if (!unknown && std::filesystem::is_directory(installed, unknown)) return installed;
+  return SUNDER_PAGE;
+}
 
 struct ViewArguments : Telling {
   std::filesystem::path scene;
-  std::filesystem::path page = built_page;
+  std::filesystem::path page = usual_page();
   SceneReach reach = SceneReach::anywhere;
   int port = 0;
   bool headless = false;
@@ -123,9 +130,7 @@ ExitCode view(const ViewArguments& arguments) {
 
 }  // namespace
 
-bool page_is_built() {
-  return std::filesystem::exists(std::filesystem::path(built_page) / "index.html");
-}
+bool page_is_built() { return std::filesystem::exists(usual_page() / "index.html"); }
 
 void add_view_command(CLI::App& program, ExitCode& exit_code) {
   const auto arguments = std::make_shared<ViewArguments>();

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// Columns of a simulation as arrays. A split moves columns in memory, so that no view could stay
+// valid: all arrays are copies.
+#include "fracture/simulation/rows.hpp"
+
+#include <string>
+
+#include "apps/host/engine.hpp"
+#include "apps/python/arrays.hpp"
+#include "apps/python/findings.hpp"
+#include "apps/python/stepped.hpp"
+
+namespace sunder::python {
+namespace {
+
+using Type = py::class_<Stepped>;
+
+/// A read-only property of the rows of a simulation that no other thread steps.
+template <class Get>
+void add(Type& type, const char* name, const char* about, const Get& get) {
+  type.def_property_readonly(
+      name,
+      [get](const Stepped& sim) {
+        const InUse use(sim.in_use);
+        return get(sim.simulation);
+      },
+      about);
+}
+
+py::array_t<double> of_tensors(std::span<const Mat3> tensors) {
+  py::array_t<double> result(
+      {static_cast<py::ssize_t>(tensors.size()), py::ssize_t{3}, py::ssize_t{3}});
+  static_assert(sizeof(Mat3) == 9 * sizeof(double));
+  // Symmetric: the order of its numbers does not matter.
+  if (!tensors.empty()) std::memcpy(result.mutable_data(), tensors.data(), tensors.size_bytes());
+  return result;
+}
+
+/// A column of the C functions.
+template <class T>
+py::array_t<T> column(const Simulation& s, sunder_column kind, std::size_t width) {
+  std::vector<unsigned char> bytes;
+  fill_column(bytes, s, kind);
+  const auto* numbers = reinterpret_cast<const T*>(bytes.data());
+  return copied<T>(std::span<const T>(numbers, bytes.size() / sizeof(T)), width);
+}
+
+}  // namespace
+
+void bind_rows(Type& type) {
+  add(type, "positions", "float64 (n, 3), m, world. A copy.",
+      [](const Simulation& s) { return array_of(rows_of(s).position); });
+  add(type, "rest_positions", "float64 (n, 3), m, in the bodies' meshes. A copy.",
+      [](const Simulation& s) { return array_of(rows_of(s).rest_position); });
+  add(type, "velocities", "float64 (n, 3), m/s. A copy.",
+      [](const Simulation& s) { return array_of(rows_of(s).velocity); });
+  add(type, "masses", "float64 (n,), kg. A copy.",
+      [](const Simulation& s) { return copied<double>(rows_of(s).mass, 0); });
+  add(type, "strengths", "float64 (n,), Pa: threshold of the largest principal stress. A copy.",
+      [](const Simulation& s) { return copied<double>(rows_of(s).strength, 0); });
+  add(type, "vertex_pieces", "int64 (n,): the piece of each vertex. A copy.",
+      [](const Simulation& s) { return ids<ComponentId>(rows_of(s).component); });
+  add(type, "tetrahedra", "uint32 (t, 4): vertex rows. A split changes them. A copy.",
+      [](const Simulation& s) { return copied<std::uint32_t>(map_of(s).corners(), 4); });
+  add(type, "pieces", "int64 (t,): the piece of each tetrahedron. A copy.",
+      [](const Simulation& s) { return ids<ComponentId>(rows_of(s).cell_component); });
+  add(type, "stresses", "float64 (t, 3, 3), Pa, in the axes of the body's mesh. A copy.",
+      [](const Simulation& s) { return of_tensors(rows_of(s).cell_stress); });
+  add(type, "vertex_stresses", "float64 (n, 3, 3), Pa: means around each vertex. O(|T|).",
+      [](const Simulation& s) { return of_tensors(vertex_stress(s)); });
+  add(type, "faces", "uint32 (f, 3): boundary faces, counterclockwise from outside. O(|T|).",
+      [](const Simulation& s) { return column<std::uint32_t>(s, SUNDER_FACE, 3); });
+  add(type, "face_is_crack", "uint32 (f,): 1 for a face of a crack or cut. O(|T|).",
+      [](const Simulation& s) { return column<std::uint32_t>(s, SUNDER_FACE_IS_CRACK, 0); });
+}
+
+}  // namespace sunder::python

@@ -1,0 +1,13 @@
+# SPDX-License-Identifier: MIT
+"""Breaks solid objects made of tetrahedra, checks meshes, and converts them.
+
+All lengths are in m, masses in kg, times in s, stresses in Pa. Errors are `sunder.Error`, whose
+`findings` say what is wrong and what to do. Long calls let Python's other threads run.
+"""
+
+from ._api import Simulation, modes, split, static
+from ._sunder import (Check, Error, FaceSplit, Fan, Finding, Fragment, Map, Mesh, StepReport,
+                      __version__, block, check, convert, read, write)
+
+__all__ = ["Check", "Error", "FaceSplit", "Fan", "Finding", "Fragment", "Map", "Mesh", "Simulation",
+           "StepReport", "block", "check", "convert", "modes", "read", "split", "static", "write"]
