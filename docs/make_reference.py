@@ -218,12 +218,18 @@ def range_of(schema):
     return ", " + ", ".join(parts) if parts else ""
 
 
+def is_object(schema):
+    """Whether a value can be an object: one, or a name in its place."""
+    kind = schema.get("type")
+    return kind == "object" or isinstance(kind, list) and "object" in kind
+
+
 def default_of(schema, required):
     if required:
         return "required"
     if "Left out: chosen by accuracy" in schema.get("description", ""):
         return "chosen"
-    if "default" not in schema or schema.get("type") == "object":
+    if "default" not in schema or is_object(schema):
         return ""
     value = schema["default"]
     if value == "" or value == []:
@@ -259,9 +265,11 @@ def scene_section(schema, path, lines):
         name = f"{path}.{key}" if path else key
         if value.get("type") == "array" and value["items"].get("type") == "object":
             kind, name = {**value["items"], "description": value["description"]}, name + "[]"
-        if kind.get("type") == "object" and set(kind["properties"]) != {"axis", "angle"}:
+        if is_object(kind) and set(kind["properties"]) != {"axis", "angle"}:
             inner.append((kind, name))
             shown = "list of objects" if name.endswith("[]") else "object"
+            if isinstance(kind["type"], list):
+                shown += " or name"
             meaning = f"{meaning_of(value)[0]}: [{name}](#{anchor(name)})"
             unit = ""
         else:

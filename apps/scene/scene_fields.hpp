@@ -22,6 +22,13 @@ inline const Names<CrackSurface>& names_of(CrackSurface) {
   return names;
 }
 
+/// The key of a material that names one of `named_materials`. No member holds it.
+inline Key material_name_key() {
+  return {"name", "",
+          "Name of a material of `sunder materials`: the other keys are then its own, unless they "
+          "are given"};
+}
+
 template <class V>
 void describe(V& v, CameraSettings& c) {
   v.field(Key{"eye", "m", "Position of the camera", {}, true}, c.eye);

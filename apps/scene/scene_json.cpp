@@ -5,202 +5,26 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <concepts>
 #include <type_traits>
 
 #include "apps/scene/check_output.hpp"
+#include "apps/scene/reading/material_names.hpp"
+#include "apps/scene/reading/scene_values.hpp"
+#include "apps/scene/reading/take_source.hpp"
 #include "apps/scene/scene_fields.hpp"
-#include "apps/scene/scene_meshes.hpp"
 #include "apps/scene/scene_notes.hpp"
 #include "apps/scene/scene_paint.hpp"
 #include "apps/scene/scene_text.hpp"
 #include "fracture/scene/check_scene.hpp"
 #include "topology/base/elementary.hpp"
-#include "topology/base/whole_number.hpp"
 
 namespace sunder {
 namespace {
 
-using fields::Key;
 using nlohmann::json;
-
-/// The inputs for reading any value of a scene, and the findings.
-struct Context {
-  const SceneText& text;
-  const SceneFiles& files;
-  std::vector<Finding>& findings;
-
-  /// Line of a value, or of the nearest one around it that the file has.
-  std::size_t line_of(std::string pointer) const {
-    for (;;) {
-      const auto found = text.line.find(pointer);
-      if (found != text.line.end()) return found->second;
-      if (pointer.empty()) return 0;
-      pointer.erase(pointer.rfind('/'));
-    }
-  }
-
-  void add(const std::string& code, const std::string& pointer, const std::string& what,
-           const std::string& remedy) const {
-    const std::string place = pointer.empty() ? "the scene" : dotted(pointer);
-    findings.push_back({.code = code,
-                        .ids = {},
-                        .text = fmt::format("{} {}", place, what),
-                        .remedy = remedy,
-                        .file = text.file,
-                        .line = line_of(pointer)});
-  }
-
-  /// The same with the line of its place.
-  void add(Finding finding, const std::string& pointer) const {
-    finding.file = text.file;
-    finding.line = line_of(pointer);
-    findings.push_back(std::move(finding));
-  }
-
-  void wrong_type(const json& value, const std::string& pointer, const char* wanted) const {
-    add("wrong_type", pointer, fmt::format("is {}; {} is wanted", shown(value), wanted),
-        fmt::format("give {}", wanted));
-  }
-};
-
-/// Reads one number; false after a finding.
-bool read_number(const Context& c, const Key& key, const json& value, const std::string& at,
-                 double& number) {
-  if (!value.is_number()) {
-    c.wrong_type(value, at, "a number");
-    return false;
-  }
-  number = value.get<double>();
-  if (fields::is_allowed(number, key.range)) return true;
-  c.add(fields::out_of_range(key, dotted(at), shown(value), number), at);
-  return false;
-}
-
-void read(const Context& c, const Key& key, const json& value, const std::string& at,
-          double& member) {
-  double number = 0;
-  if (read_number(c, key, value, at, number)) member = number;
-}
-
-template <std::integral Integer>
-void read(const Context& c, const Key& key, const json& value, const std::string& at,
-          Integer& member) {
-  double number = 0;
-  if (!value.is_number() || std::floor(value.get<double>()) != value.get<double>()) {
-    c.wrong_type(value, at, "a whole number");
-  } else if (read_number(c, key, value, at, number)) {
-    member = whole_number<Integer>(number);
-  }
-}
-
-void read(const Context& c, const Key&, const json& value, const std::string& at, bool& member) {
-  if (value.is_boolean()) {
-    member = value.get<bool>();
-  } else {
-    c.wrong_type(value, at, "true or false");
-  }
-}
-
-void read(const Context& c, const Key&, const json& value, const std::string& at,
-          std::string& member) {
-  if (value.is_string()) {
-    member = value.get<std::string>();
-  } else {
-    c.wrong_type(value, at, "a text");
-  }
-}
-
-void read(const Context& c, const Key& key, const json& value, const std::string& at,
-          Eigen::Vector3d& member) {
-  if (!value.is_array() || value.size() != 3) {
-    c.wrong_type(value, at, "an array of three numbers");
-    return;
-  }
-  Eigen::Vector3d v = member;
-  bool fine = true;
-  for (int i = 0; i < 3; ++i) {
-    fine &=
-        read_number(c, key, value[static_cast<std::size_t>(i)], at + "/" + std::to_string(i), v[i]);
-  }
-  if (fine) member = v;
-}
-
-/// Reads a direction: a vector of any length but 0, which is given length 1.
-void read_direction(const Context& c, const Key& key, const json& value, const std::string& at,
-                    Eigen::Vector3d& member) {
-  const std::size_t before = c.findings.size();
-  Eigen::Vector3d v = member;
-  read(c, key, value, at, v);
-  if (c.findings.size() != before) return;
-  if (const double length = v.stableNorm(); length > 0) {
-    member = v / length;
-  } else {
-    c.add("zero_direction", at, "is [0, 0, 0], which points nowhere",
-          "give three numbers that are not all 0");
-  }
-}
-
-/// The errors of a file that a value names; without a line of its own each stands at the scene's.
-void add_of_file(const Context& c, std::vector<Finding> found, const std::string& at,
-                 const std::string& name) {
-  for (Finding& f : found) {
-    if (f.severity != Severity::error) continue;
-    f.text = fmt::format("{} ({}): {}", dotted(at), name, f.text);
-    if (f.line == 0) {
-      f.file = c.text.file;
-      f.line = c.line_of(at);
-    }
-    c.findings.push_back(std::move(f));
-  }
-}
-
-void read(const Context& c, const Key&, const json& value, const std::string& at, TetMesh& member) {
-  if (!value.is_string()) return c.wrong_type(value, at, "the name of a mesh file");
-  add_of_file(c, read_body_mesh(member, c.files, value), at, value);
-}
-
-void read(const Context& c, const Key&, const json& value, const std::string& at,
-          std::shared_ptr<const SolidSurface>& member) {
-  if (!value.is_string()) return c.wrong_type(value, at, "the name of a surface file");
-  add_of_file(c, read_solid(member, c.files, value), at, value);
-}
-
-void read(const Context& c, const Key&, const json& value, const std::string& at,
-          FaceList& member) {
-  if (!value.is_string()) return c.wrong_type(value, at, "the name of a file of faces");
-  auto faces = c.files.faces(value.get<std::string>());
-  for (Finding& f : faces.findings) {
-    f.text = fmt::format("{} ({}): {}", dotted(at), value.get<std::string>(), f.text);
-    c.findings.push_back(std::move(f));
-  }
-  if (faces) member = {value.get<std::string>(), std::move(*faces)};
-}
-
-void read(const Context& c, const Key&, const json& value, const std::string& at,
-          RegionName& member) {
-  if (value.is_string()) {
-    member.text = value.get<std::string>();
-  } else if (value.is_number_integer()) {
-    member.text = value.dump();
-  } else {
-    c.wrong_type(value, at, "the name or the number of a region");
-  }
-}
-
-void read(const Context& c, const Key& key, const json& value, const std::string& at,
-          HistorySettings& member) {
-  if (value != "off" && !value.is_number()) return c.wrong_type(value, at, "a number or \"off\"");
-  double number = 0;
-  if (value == "off" || read_number(c, key, value, at, number)) member.interval = number;
-}
-
-/// A type that one of the functions above reads; every other is an enum, a list or an object.
-template <class T>
-concept Plain = requires(const Context& c, const Key& k, const json& j, T& t) {
-  read(c, k, j, std::string(), t);
-};
+using reading::Context;
+using reading::Key;
+using reading::Plain;
 
 /// A visitor of scene_fields.hpp that fills its members from one JSON object.
 class ObjectReader {
@@ -214,7 +38,8 @@ class ObjectReader {
   }
 
   void direction(const Key& key, Eigen::Vector3d& member) {
-    if (const json* value = find(key)) read_direction(context_, key, *value, at(key), member);
+    if (const json* value = find(key))
+      reading::read_direction(context_, key, *value, at(key), member);
   }
 
   template <class T, class Variant>
@@ -264,7 +89,7 @@ class ObjectReader {
 
   template <Plain T>
   void visit(const Key& key, const json& value, const std::string& pointer, T& member) {
-    read(context_, key, value, pointer, member);
+    reading::read(context_, key, value, pointer, member);
   }
 
   template <class E>
@@ -318,6 +143,43 @@ class ObjectReader {
     }
   }
 
+  /// A named material is where the other keys start from.
+  void visit(const Key&, const json& value, const std::string& pointer, Material& member) {
+    if (!value.is_object()) {
+      return context_.wrong_type(value, pointer, "the name of a material or an object {...}");
+    }
+    ObjectReader reader(context_, value, pointer);
+    std::string name;
+    reader.field(fields::material_name_key(), name);
+    if (value.contains("name") && value["name"].is_string())
+      reading::start_from_name(context_, name, value, pointer, member);
+    fields::describe(reader, member);
+    reader.finish();
+  }
+
+  /// The mesh of a body is that of its shape, or the file's in metres.
+  void visit(const Key&, const json& value, const std::string& pointer, BodySettings& member) {
+    if (!value.is_object()) return context_.wrong_type(value, pointer, "an object {...}");
+    ObjectReader reader(context_, value, pointer);
+    reading::BodySource source;
+    reader.field(fields::shape_key(), source.shape);
+    fields::describe(reader, source.file);
+    fields::describe(reader, member);
+    reader.finish();
+    reading::take_source(context_, source, value, pointer, member.mesh);
+  }
+
+  /// The surface of a solid obstacle, in metres.
+  void visit(const Key&, const json& value, const std::string& pointer, Solid& member) {
+    if (!value.is_object()) return context_.wrong_type(value, pointer, "an object {...}");
+    ObjectReader reader(context_, value, pointer);
+    FileScale scale;
+    fields::describe(reader, scale);
+    fields::describe(reader, member);
+    reader.finish();
+    reading::take_scale(context_, scale, pointer, member.surface);
+  }
+
   template <class T>
   requires(std::is_class_v<T> && !Plain<T>) void visit(const Key&, const json& value,
                                                        const std::string& pointer, T& member) {
@@ -361,9 +223,11 @@ Result<SceneFile> read_whole(const SceneBytes& scene, const SceneFiles& files,
   Result<SceneFile> result;
   result.findings = std::move(text.findings);
   if (!text) return result;
+  reading::write_names_out(*text);  // so that a setting changes a key of a named material
   for (const std::string& setting : settings) {
     for (Finding& f : apply_setting(*text, setting)) result.findings.push_back(std::move(f));
   }
+  reading::write_names_out(*text);
   const Context context{*text, files, result.findings};
   if (!text->root.is_object()) {
     context.wrong_type(text->root, "", "an object {...}");

@@ -7,7 +7,9 @@
 #include <concepts>
 #include <type_traits>
 
+#include "apps/scene/reading/body_source.hpp"
 #include "apps/scene/scene_fields.hpp"
+#include "mechanics/state/settings/named_materials.hpp"
 
 namespace sunder {
 namespace {
@@ -158,6 +160,41 @@ class SchemaWriter {
     if (key.required) schema["minItems"] = 1;
     schema["default"] = ordered_json::array();
     return schema;
+  }
+  /// An object, or the name of a material.
+  static ordered_json schema_of(const Key&, const Material& member) {
+    SchemaWriter writer;
+    const Key name = fields::material_name_key();
+    writer.properties_[std::string(name.name)] = {
+        {"description", name.text}, {"type", "string"}, {"enum", material_names()}};
+    Material material = member;
+    fields::describe(writer, material);
+    ordered_json schema = writer.finish();
+    schema["type"] = {"object", "string"};
+    schema["if"] = {{"type", "string"}};
+    schema["then"] = {{"enum", material_names()}};
+    return schema;
+  }
+  /// With a mesh file or a shape.
+  static ordered_json schema_of(const Key&, const BodySettings& member) {
+    SchemaWriter writer;
+    BodySettings body = member;
+    fields::describe(writer, body);
+    writer.field(fields::shape_key(), std::optional<ShapeSettings>());
+    FileScale file;
+    fields::describe(writer, file);
+    for (const char* key : {"mesh", "shape"}) {
+      writer.alternatives_.push_back({{"required", ordered_json::array({key})}});
+    }
+    return writer.finish();
+  }
+  static ordered_json schema_of(const Key&, const Solid& member) {
+    SchemaWriter writer;
+    Solid solid = member;
+    fields::describe(writer, solid);
+    FileScale file;
+    fields::describe(writer, file);
+    return writer.finish();
   }
   template <class T>
   requires std::is_class_v<T>

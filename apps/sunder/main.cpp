@@ -8,9 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "apps/sunder/break/break_command.hpp"
 #include "apps/sunder/demo/demo.hpp"
 #include "apps/sunder/export/export.hpp"
 #include "apps/sunder/fragments/fragments.hpp"
+#include "apps/sunder/materials/materials.hpp"
 #include "apps/sunder/mesh/check.hpp"
 #include "apps/sunder/mesh/convert.hpp"
 #include "apps/sunder/mesh/cut.hpp"
@@ -114,8 +116,8 @@ struct Group {
 void add_commands(CLI::App& program, sunder::ExitCode& exit_code) {
   const Group groups[] = {
       {"Simulate",
-       {sunder::add_demo_command, sunder::add_run_command, sunder::add_static_command,
-        sunder::add_modes_command}},
+       {sunder::add_demo_command, sunder::add_break_command, sunder::add_run_command,
+        sunder::add_static_command, sunder::add_modes_command, sunder::add_materials_command}},
       {"Look", {add_view, add_render, sunder::add_export_command, sunder::add_fragments_command}},
       {"Meshes",
        {sunder::add_check_command, sunder::add_convert_command, sunder::add_split_command,

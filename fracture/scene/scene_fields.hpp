@@ -186,14 +186,14 @@ template <class V>
 void describe(V& v, BodySettings& b) {
   v.field(Key{"name", "", "Name of the body in reports"}, b.name);
   v.field(
-      Key{"mesh",
-          "",
+      Key{"mesh", "",
           "Mesh file with tetrahedra, in any format that `sunder convert` reads, relative to the "
-          "scene file",
-          {},
-          true},
+          "scene file"},
       b.mesh);
-  v.field(Key{"material", "", "Material of the body"}, b.material);
+  v.field(
+      Key{"material", "",
+          "Material of the body: an object, or a name of `sunder materials`, such as \"glass\""},
+      b.material);
   v.field(Key{"translation", "m", "Translation of the mesh, after the rotation"}, b.translation);
   v.field(Key{"rotation", "", "Rotation of the mesh about its origin, before the translation"},
           b.rotation);

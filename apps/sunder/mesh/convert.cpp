@@ -16,6 +16,7 @@
 #include "apps/scene/words.hpp"
 #include "apps/sunder/mesh/convert/cell_counts.hpp"
 #include "apps/sunder/mesh/convert/convert_crack.hpp"
+#include "apps/sunder/mesh/convert/convert_scale.hpp"
 #include "apps/sunder/mesh/formats_table.hpp"
 #include "apps/sunder/telling.hpp"
 #include "topology/base/counted.hpp"
@@ -58,6 +59,7 @@ Examples:
   sunder convert body.msh body.inp --triangles drop
   gunzip -c body.msh.gz | sunder convert - - --to vtu > body.vtu
   sunder convert hexahedra.inp tetrahedra.msh --order 1 --split
+  sunder convert mug.stl mug.off --units mm
   sunder convert body.msh cracked.vtu --crack-regions matrix,inclusion --crack-pairs pairs.csv
 )";
 
@@ -75,6 +77,7 @@ struct ConvertArguments : Telling {
   /// 1: cells of second order become linear; 2: linear ones of second order; 0: they stay.
   int order = 0;
   bool split = false;
+  ScaleOptions scale;
   Repairs repairs;
   CrackOptions crack;
 };
@@ -230,6 +233,9 @@ Conversion convert(ConvertArguments arguments) {
         return f.code == "skipped_cells" || f.code == "unsupported_cells" ||
                f.code == "unknown_cells";
       });
+  if (auto scaled = scale_points(result.mesh, arguments.scale)) {
+    result.findings.push_back(std::move(*scaled));
+  }
   simplify(result.mesh, arguments, result.findings);
   if (arguments.triangles == "drop") result.findings.push_back(drop_shells_and_beams(result.mesh));
   std::ranges::move(repair(result.mesh, arguments.repairs), std::back_inserter(result.findings));
@@ -347,6 +353,7 @@ void add_convert_command(CLI::App& program, ExitCode& exit_code) {
                    "2: give linear cells a node in the middle of each edge")
       ->type_name("1|2")
       ->check(CLI::IsMember({1, 2}));
+  add_scale_options(*command, arguments->scale);
   command->add_flag(
       "--split", arguments->split,
       "Cut hexahedra, prisms and pyramids into tetrahedra, and quadrilaterals and polygons "
@@ -355,7 +362,7 @@ void add_convert_command(CLI::App& program, ExitCode& exit_code) {
       ->add_option(
           "--merge-points", arguments->repairs.merge_points,
           "Repair: merge points within this distance; 0: those that coincide. Unit: that of "
-          "the file")
+          "OUT")
       ->type_name("DISTANCE")
       ->check(CLI::NonNegativeNumber);
   Repairs& repairs = arguments->repairs;
