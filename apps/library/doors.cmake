@@ -6,9 +6,10 @@ door(finding "Findings about an input, results that carry them, and the exceptio
   topology/base/finding.hpp
   topology/base/misuse.hpp)
 
-door(mesh "Tetrahedral meshes: cells, files in and out, checks."
+door(mesh "Tetrahedral meshes: cells, simple solids, files in and out, checks."
   topology/base/ids.hpp
   topology/base/tet_mesh.hpp
+  topology/mesh/solids/solids.hpp
   topology/mesh/kinds/cell_kinds.hpp
   topology/mesh/file_mesh.hpp
   topology/io/read_options.hpp
