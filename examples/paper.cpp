@@ -25,8 +25,8 @@ struct PaperSearch {
 
   std::optional<double> threshold(VertexId v) { return threshold_of[v.index()]; }
   void split(VertexId v, const PrincipalTension& tension) {
-    report.fans.push_back(split_fan(body, vertex_star(body.cells.map, v),
-                                    tension.directions.col(0), settings, scratch));
+    report.fans.push_back(split_fan(body, vertex_star(body.cells.map, v), tension.directions.col(0),
+                                    settings, scratch));
   }
 };
 
@@ -53,9 +53,9 @@ int main() {
 
   // Algorithms 1 and 2: the rigid reference, displacements against it, and elastic forces.
   std::vector<Vec3> force(rest.size());
-  const Pose frame =
-      deformation_forces({state.vertices.displacement, force},
-                         {state, cells.map.corners(), state.vertices.position}, state.components[0]);
+  const Pose frame = deformation_forces({state.vertices.displacement, force},
+                                        {state, cells.map.corners(), state.vertices.position},
+                                        state.components[0]);
   std::printf("the reference has turned by %.3f rad; the first vertex is pulled by %.0f N\n",
               frame.orientation.angularDistance(Eigen::Quaterniond::Identity()), force[0].norm());
 

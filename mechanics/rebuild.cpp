@@ -155,8 +155,7 @@ double kinetic_energy_of(const MechanicsState& state, const Component& component
 void set_rigid_rows(MechanicsState& state, const Component& component) {
   VertexColumns& vertices = state.vertices;
   const Mat3 R = component.orientation.toRotationMatrix();
-  const Vec3 spin =
-      R * solve3(component.rest_inertia, R.transpose() * component.angular_momentum);
+  const Vec3 spin = R * solve3(component.rest_inertia, R.transpose() * component.angular_momentum);
   for (VertexId v : component.vertices) {
     const Vec3 arm = R * (vertices.rest_position[v.index()] - component.rest_centre);
     vertices.position[v.index()] = component.centre + arm;

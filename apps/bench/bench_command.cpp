@@ -127,8 +127,8 @@ struct StepArguments : Telling {
 };
 
 ExitCode run_step_bench(const StepArguments& arguments) {
-  const Result<StepBench> bench = bench_step(
-      arguments.settings, [&](const std::string& body) { tell_next(body, arguments); });
+  const Result<StepBench> bench =
+      bench_step(arguments.settings, [&](const std::string& body) { tell_next(body, arguments); });
   if (!bench) {
     tell_beside(bench.findings, arguments);
     return ExitCode::bad_input;
@@ -249,8 +249,8 @@ std::filesystem::path scenes_in(const std::filesystem::path& given) {
 
 ExitCode run_paper_bench(PaperArguments arguments) {
   arguments.settings.scenes = scenes_in(arguments.settings.scenes);
-  const Result<PaperBench> bench = bench_paper(
-      arguments.settings, [&](const std::string& run) { tell_next(run, arguments); });
+  const Result<PaperBench> bench =
+      bench_paper(arguments.settings, [&](const std::string& run) { tell_next(run, arguments); });
   if (!bench) {
     tell_beside(bench.findings, arguments);
     return ExitCode::bad_input;
@@ -278,7 +278,9 @@ void add_paper_command(CLI::App& bench, ExitCode& exit_code) {
                    "Repeats of everything to take medians over (default 1)")
       ->type_name("N")
       ->check(CLI::Range(1, 100).description(""));
-  command->add_option("--scenes", arguments->settings.scenes, "Folder of the three scenes (default meshes/scenes/paper)")
+  command
+      ->add_option("--scenes", arguments->settings.scenes,
+                   "Folder of the three scenes (default meshes/scenes/paper)")
       ->type_name("FOLDER");
   command->add_option("--csv", arguments->csv, "Write all figures as CSV")->type_name("FILE");
   command->add_option("--markdown", arguments->markdown, "Write the tables as Markdown")
@@ -311,9 +313,8 @@ struct ThresholdArguments : Telling {
 
 ExitCode run_threshold_bench(ThresholdArguments arguments) {
   arguments.settings.scenes = scenes_in(arguments.settings.scenes);
-  const Result<ThresholdBench> bench =
-      bench_threshold(arguments.settings,
-                      [&](const std::string& source) { tell_next(source, arguments); });
+  const Result<ThresholdBench> bench = bench_threshold(
+      arguments.settings, [&](const std::string& source) { tell_next(source, arguments); });
   if (!bench) {
     tell_beside(bench.findings, arguments);
     return ExitCode::bad_input;
@@ -337,7 +338,9 @@ void add_threshold_command(CLI::App& bench, ExitCode& exit_code) {
       ->check(CLI::Range(1, 100000).description(""));
   command->add_option("--seed", arguments->settings.seed, "Seed of the random tensors")
       ->type_name("S");
-  command->add_option("--scenes", arguments->settings.scenes, "Folder of the three scenes (default meshes/scenes/paper)")
+  command
+      ->add_option("--scenes", arguments->settings.scenes,
+                   "Folder of the three scenes (default meshes/scenes/paper)")
       ->type_name("FOLDER");
   command->add_option("--csv", arguments->csv, "Write the figures as CSV")->type_name("FILE");
   add_quiet_flag(*command, *arguments);

@@ -43,7 +43,8 @@ void add_bytes(const std::string& when, const VolumeMap& map, double heap, const
   add("heap_" + when, each(heap));
 }
 
-void measure_memory(const TetMesh& mesh, const KernelBenchSettings& settings, const FigureSink& add) {
+void measure_memory(const TetMesh& mesh, const KernelBenchSettings& settings,
+                    const FigureSink& add) {
   const double before = heap_in_use();
   VolumeMap map = map_of(mesh, settings.kernel);
   add_bytes("intact", map, heap_in_use() - before, add);

@@ -67,8 +67,8 @@ void add_fan(Column& column, const MadeFan& fan) {
                       static_cast<double>(e.faces.size()),
                       static_cast<double>(e.components.predicted),
                       static_cast<double>(e.components.created), first, e.stress, e.strength,
-                      e.normal[0], e.normal[1], e.normal[2], e.rest_position[0],
-                      e.rest_position[1], e.rest_position[2], static_cast<double>(e.visited)});
+                      e.normal[0], e.normal[1], e.normal[2], e.rest_position[0], e.rest_position[1],
+                      e.rest_position[2], static_cast<double>(e.visited)});
 }
 
 void add_fan_face(Column& column, const FaceSplit& face, std::size_t fan) {

@@ -92,8 +92,8 @@ Fragment fragment(const Simulation& simulation, ComponentId id) {
   const std::vector<std::uint64_t>& birth = simulation.state->birth_step;
   if (id.index() < birth.size()) f.birth_step = birth[id.index()];
   f.tetrahedra = component.tetrahedra.size();
-  f.vertices = static_cast<std::size_t>(std::ranges::count_if(
-      component.vertices, [&](VertexId i) { return !cells.map.is_node(i); }));
+  f.vertices = static_cast<std::size_t>(
+      std::ranges::count_if(component.vertices, [&](VertexId i) { return !cells.map.is_node(i); }));
   for (const VertexId i : component.vertices) {
     f.mass += v.mass[i.index()];
     f.center += v.mass[i.index()] * v.position[i.index()];

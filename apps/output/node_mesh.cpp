@@ -48,8 +48,7 @@ FileMesh node_mesh(const Simulation& simulation) {
   for (const Vec3& x : mechanics.vertices.position) mesh.points.push_back({x[0], x[1], x[2]});
   OtherCells& second = other_cells(mesh, CellKind::tetrahedron10);
   CellData of_first, of_second;
-  const CrackData cracks =
-      crack_data(simulation.state->cells, simulation.scene.fracture.crack);
+  const CrackData cracks = crack_data(simulation.state->cells, simulation.scene.fracture.crack);
   for (std::size_t b = 0; b < simulation.bodies.size(); ++b) {
     const BodyRows& rows = simulation.bodies[b];
     const std::vector<std::int32_t>& region = simulation.scene.bodies[b].mesh.region;

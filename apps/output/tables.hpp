@@ -21,9 +21,9 @@ std::string cracks_csv(std::vector<CrackEnergy> cracks);
 
 /// State of a free obstacle at one time.
 struct ObstacleMotion {
-  double time = 0;        ///< s
-  std::size_t row = 0;    ///< in the scene
-  Pose pose;              ///< of the mass centre; the rotation of a sphere is not followed
+  double time = 0;      ///< s
+  std::size_t row = 0;  ///< in the scene
+  Pose pose;            ///< of the mass centre; the rotation of a sphere is not followed
   Vec3 velocity{0, 0, 0}, spin{0, 0, 0};  ///< m/s, rad/s, world
 };
 

@@ -15,10 +15,13 @@ using nlohmann::ordered_json;
 ordered_json numbers(const Vec3& v) { return {v[0], v[1], v[2]}; }
 ordered_json numbers(const Eigen::Quaterniond& q) { return {q.w(), q.x(), q.y(), q.z()}; }
 
-Vec3 vec(const json& v) { return {v.at(0).get<double>(), v.at(1).get<double>(), v.at(2).get<double>()}; }
+Vec3 vec(const json& v) {
+  return {v.at(0).get<double>(), v.at(1).get<double>(), v.at(2).get<double>()};
+}
 
 Eigen::Quaterniond quaternion(const json& q) {
-  return {q.at(0).get<double>(), q.at(1).get<double>(), q.at(2).get<double>(), q.at(3).get<double>()};
+  return {q.at(0).get<double>(), q.at(1).get<double>(), q.at(2).get<double>(),
+          q.at(3).get<double>()};
 }
 
 struct WriteShape {
@@ -69,7 +72,8 @@ Result<Shape> read_shape(const json& one) {
   }
   if (one.contains("box")) {
     const json& b = one["box"];
-    return Shape(Box{vec(b.at("center")), quaternion(b.at("orientation")), vec(b.at("half_extent"))});
+    return Shape(
+        Box{vec(b.at("center")), quaternion(b.at("orientation")), vec(b.at("half_extent"))});
   }
   return read_solid(one.at("mesh"));
 }

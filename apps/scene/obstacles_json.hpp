@@ -11,9 +11,9 @@
 
 namespace sunder {
 
-/// One object each, in SI units: "plane" (normal, offset), "sphere" (center, radius), "box" (center,
-/// half_extent, orientation) or "mesh" (points, triangles, translation, orientation); velocity, and
-/// mass of a free one. Orientations are quaternions w, x, y, z.
+/// One object each, in SI units: "plane" (normal, offset), "sphere" (center, radius), "box"
+/// (center, half_extent, orientation) or "mesh" (points, triangles, translation, orientation);
+/// velocity, and mass of a free one. Orientations are quaternions w, x, y, z.
 nlohmann::ordered_json obstacles_json(std::span<const Obstacle> obstacles);
 
 /// The obstacles of such an array. Errors: bad_obstacles (not as `obstacles_json` writes them),

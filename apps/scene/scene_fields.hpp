@@ -101,12 +101,12 @@ void describe(V& v, SceneFile& s) {
   v.field(Key{"$schema", "", "The schema, for editors; not read"}, s.schema);
   v.field(Key{"name", "", "Name of the scene in reports"}, s.scene.name);
   v.field(Key{"description", "", "Description for readers"}, s.description);
-  v.field(
-      Key{"accuracy", "",
-          "Chooses keys that are left out (contact, impact, ladder, topology, bodies[].order, model "
-          "and integrator.method), from mesh, material and speeds. preview: fastest; good: "
-          "recommended; reference: most accurate, for comparisons (docs/howto/choose.md)"},
-      s.accuracy);
+  v.field(Key{"accuracy", "",
+              "Chooses keys that are left out (contact, impact, ladder, topology, bodies[].order, "
+              "model "
+              "and integrator.method), from mesh, material and speeds. preview: fastest; good: "
+              "recommended; reference: most accurate, for comparisons (docs/howto/choose.md)"},
+          s.accuracy);
   describe(v, s.scene);
   v.field(Key{"output", "", "Files of a run"}, s.output);
 }

@@ -82,7 +82,8 @@ std::vector<Finding> read_solid(std::shared_ptr<const SolidSurface>& surface,
   if (!read) return std::move(read.findings);
   const bool has_volume = !read->tetrahedra.corners.empty();
   const auto triangles = has_volume ? boundary(*read) : read->triangles.corners;
-  Result<SolidSurface> made = make_solid_surface(joined(*read, triangles), name.substr(name.find_last_of('/') + 1));
+  Result<SolidSurface> made =
+      make_solid_surface(joined(*read, triangles), name.substr(name.find_last_of('/') + 1));
   if (made) surface = std::make_shared<const SolidSurface>(std::move(*made));
   return std::move(made.findings);
 }

@@ -25,8 +25,9 @@ std::optional<Finding> note_on_windows(const SceneText& text, const SceneFile& f
   if (!asked || file.scene.integrator.integrator == Integrator::floating_frame) return std::nullopt;
   return Finding{.code = "no_impact_windows",
                  .severity = Severity::note,
-                 .text = "impact.window is true, but windows are for the method floating_frame "
-                         "alone: the step, or that of sub_stepped, decides what breaks on impact",
+                 .text =
+                     "impact.window is true, but windows are for the method floating_frame "
+                     "alone: the step, or that of sub_stepped, decides what breaks on impact",
                  .remedy = "take floating_frame, or leave impact.window out",
                  .file = text.file,
                  .line = line_of(text, window)};
@@ -44,17 +45,18 @@ std::optional<Finding> note_on_tips(const SceneText& text, const Scene& scene) {
     if (bodies++ == 0) first = b;
   }
   if (bodies == 0) return std::nullopt;
-  return Finding{.code = "no_toughness",
-                 .severity = Severity::note,
-                 .text = fmt::format("bodies.{}.material{}: neither toughness nor fracture_energy is "
-                                     "given, so crack tips break at the tensile strength and a "
-                                     "body breaks into fewer pieces",
-                                     first,
-                                     bodies > 1 ? fmt::format(" and {} more", bodies - 1) : ""),
-                 .remedy = "give \"toughness\" in Pa sqrt(m): about 1.5e5 for plaster, 1e6 for "
-                           "concrete, 0.75e6 for glass",
-                 .file = text.file,
-                 .line = line_of(text, fmt::format("/bodies/{}/material", first))};
+  return Finding{
+      .code = "no_toughness",
+      .severity = Severity::note,
+      .text = fmt::format("bodies.{}.material{}: neither toughness nor fracture_energy is "
+                          "given, so crack tips break at the tensile strength and a "
+                          "body breaks into fewer pieces",
+                          first, bodies > 1 ? fmt::format(" and {} more", bodies - 1) : ""),
+      .remedy =
+          "give \"toughness\" in Pa sqrt(m): about 1.5e5 for plaster, 1e6 for "
+          "concrete, 0.75e6 for glass",
+      .file = text.file,
+      .line = line_of(text, fmt::format("/bodies/{}/material", first))};
 }
 
 }  // namespace

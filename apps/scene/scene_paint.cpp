@@ -6,8 +6,7 @@
 
 namespace sunder {
 
-std::vector<Finding> paint_strengths(Scene& scene, const SceneText& text,
-                                     const SceneFiles& files) {
+std::vector<Finding> paint_strengths(Scene& scene, const SceneText& text, const SceneFiles& files) {
   std::vector<Finding> findings;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     BodySettings& body = scene.bodies[b];

@@ -84,7 +84,9 @@ class SchemaWriter {
   }
 
   template <class T>
-  static constexpr bool is_object = requires(T& t, SchemaWriter& w) { fields::describe(w, t); };
+  static constexpr bool is_object = requires(T& t, SchemaWriter& w) {
+    fields::describe(w, t);
+  };
 
   static ordered_json with_default(ordered_json schema, ordered_json value) {
     schema["default"] = std::move(value);

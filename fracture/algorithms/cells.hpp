@@ -77,22 +77,25 @@ void append_copy(Cells& cells, VertexId from);
 /// Appends the columns of a node that is no vertex: it never breaks.
 void append_node(Cells& cells, ComponentId component);
 
-/// Gives the edges of a body's tetrahedra first to end - 1 nodes in their middles, with all columns.
-/// Requires that they have none and that no later body has any. Corner stresses are left to the caller.
+/// Gives the edges of a body's tetrahedra first to end - 1 nodes in their middles, with all
+/// columns. Requires that they have none and that no later body has any. Corner stresses are left
+/// to the caller.
 void raise_order(BreakableBody body, TetId first, TetId end);
 
-/// C of the threshold at a crack tip, C K_Ic / sqrt(h): with it an edge crack breaks within 5 per cent
-/// of the closed form at any size of elements from an eighth of its length down, of second order a
-/// penny crack of at least two elements too (docs/lab/energy.md). `order`: of the tetrahedra round the tip.
+/// C of the threshold at a crack tip, C K_Ic / sqrt(h): with it an edge crack breaks within 5 per
+/// cent of the closed form at any size of elements from an eighth of its length down, of second
+/// order a penny crack of at least two elements too (docs/lab/energy.md). `order`: of the
+/// tetrahedra round the tip.
 constexpr double crack_tip_factor(int order) { return order == 2 ? 1.03 : 0.54; }
 
 /// Threshold xi of one vertex, Pa: the smallest tensile strength around it or that painted on it,
 /// times its flaw; infinite where it is unbreakable. Where its material has a
-/// toughness K_Ic, given or sqrt(E G_c / (1 - nu^2)) (`toughness_of`), and the vertex is a crack tip (a cracked face lies in its star), C K_Ic / sqrt(h)
-/// (`crack_tip_factor`) alone, h the mean edge length of its star, because the stress there grows like
-/// 1 / sqrt(h) and a bare strength would depend on the mesh (docs/explanation/theory.md).
-/// With `CrackMode::cohesive` the smaller of the two.
-/// `star`: every tetrahedron around `vertex`. Infinite for a material that never breaks.
+/// toughness K_Ic, given or sqrt(E G_c / (1 - nu^2)) (`toughness_of`), and the vertex is a crack
+/// tip (a cracked face lies in its star), C K_Ic / sqrt(h)
+/// (`crack_tip_factor`) alone, h the mean edge length of its star, because the stress there grows
+/// like 1 / sqrt(h) and a bare strength would depend on the mesh (docs/explanation/theory.md). With
+/// `CrackMode::cohesive` the smaller of the two. `star`: every tetrahedron around `vertex`.
+/// Infinite for a material that never breaks.
 double vertex_strength(const Cells& cells, const MechanicsState& mechanics, VertexId vertex,
                        std::span<const TetId> star);
 

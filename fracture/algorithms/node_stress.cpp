@@ -44,8 +44,9 @@ void add_edge_stress(std::vector<Mat3>& node_stress, const ElementStress& elemen
     for (std::size_t e = 0; e < 6; ++e) {
       const std::size_t v = edge_nodes[t][e].index();
       const auto [i, j] = edge_ends[e];
-      node_stress[v] += 0.5 * w * (elements.at(t, static_cast<std::size_t>(i)) +
-                                   elements.at(t, static_cast<std::size_t>(j)));
+      node_stress[v] += 0.5 * w *
+                        (elements.at(t, static_cast<std::size_t>(i)) +
+                         elements.at(t, static_cast<std::size_t>(j)));
       sum[v] += w;
     }
   }

@@ -8,9 +8,9 @@
 
 namespace sunder {
 
-/// `split_face` with the columns of `body.mechanics.vertices` and `body.cells` that follow: a copy for
-/// every vertex that came apart, and in bodies of second order then for every edge, which is appended
-/// to `nodes`.
+/// `split_face` with the columns of `body.mechanics.vertices` and `body.cells` that follow: a copy
+/// for every vertex that came apart, and in bodies of second order then for every edge, which is
+/// appended to `nodes`.
 FaceSplit part_face(BreakableBody body, HalfFaceId face, std::vector<VertexCopy>& nodes);
 
 /// Algorithm 4, split(v, u): signs of the tetrahedra around `v` relative to the plane through it

@@ -36,8 +36,8 @@ struct Overload {
 }  // namespace
 
 std::vector<ComponentId> overloaded_components(BreakableBody body, const FractureSettings& settings,
-                                               FractureScratch& scratch,
-                                               const StepMembers& members, double most) {
+                                               FractureScratch& scratch, const StepMembers& members,
+                                               double most) {
   std::vector<ComponentId> found;
   if (settings.mode == FractureMode::off) return found;
   const FanWatch nobody;

@@ -13,7 +13,7 @@ namespace sunder {
 /// the other. Vertices that wait, at a flank or with an empty fan, are left out. Leaves the node
 /// stresses in the scratch. O(|T|).
 std::vector<ComponentId> overloaded_components(BreakableBody body, const FractureSettings& settings,
-                                               FractureScratch& scratch,
-                                               const StepMembers& members, double most);
+                                               FractureScratch& scratch, const StepMembers& members,
+                                               double most);
 
 }  // namespace sunder

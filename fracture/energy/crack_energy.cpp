@@ -51,8 +51,7 @@ std::vector<Vec3> forces_on(const std::vector<std::uint32_t>& group, const Mecha
     for (std::size_t a = 0; a < nodes.count; ++a) {
       const std::size_t v = nodes.row[a].index();
       if (group[v] == 0) continue;
-      force[v] -=
-          R * node_force(elements, elements.stress, elements.corner_stress, TetId{t}, a);
+      force[v] -= R * node_force(elements, elements.stress, elements.corner_stress, TetId{t}, a);
     }
   }
   return force;

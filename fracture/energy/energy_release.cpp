@@ -185,7 +185,8 @@ double energy_of_free_piece(const Trial& trial) {
   solve_system(trial.system, X);
   const double scale = S.diagonal().cwiseAbs().maxCoeff();
   S.noalias() -= B.transpose() * X;
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen = symmetric_eigen(0.5 * (S + S.transpose()));
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen =
+      symmetric_eigen(0.5 * (S + S.transpose()));
   const Eigen::VectorXd along = eigen.eigenvectors().transpose() * trial.missing;
   double energy = 0;
   for (Index k = 0; k < along.size(); ++k) {

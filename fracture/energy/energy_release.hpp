@@ -18,13 +18,13 @@ struct MechanicsScratch;
 /// A supported body in equilibrium, with its loads.
 struct ReleaseInput {
   const Cells& cells;
-  MechanicsState& mechanics;           ///< displacements and stresses in equilibrium
-  Vec3 gravity = Vec3::Zero();         ///< m/s^2
-  std::span<const Vec3> node_load;     ///< N, world: see `node_loads`; empty: none
+  MechanicsState& mechanics;        ///< displacements and stresses in equilibrium
+  Vec3 gravity = Vec3::Zero();      ///< m/s^2
+  std::span<const Vec3> node_load;  ///< N, world: see `node_loads`; empty: none
 };
 
-/// Loads as they are at `time` (s; infinite: fully raised), N, world, by node of each tetrahedron: 4 |T|
-/// rows, 10 |T| where any is of second order. Empty without loads.
+/// Loads as they are at `time` (s; infinite: fully raised), N, world, by node of each tetrahedron:
+/// 4 |T| rows, 10 |T| where any is of second order. Empty without loads.
 std::vector<Vec3> node_loads(std::span<const CornerLoad> loads, const MechanicsState& state,
                              double time);
 

@@ -15,8 +15,8 @@ namespace sunder {
 /// Deformation as the fans of one `break_vertices` have changed it. For decisions only: the state
 /// keeps its displacements, and the dynamics opens the cracks.
 struct RelaxedState {
-  std::vector<Vec3> displacement;  ///< |V|, m, body frame
-  std::vector<Mat3> stress;        ///< |T|, Pa, body frame
+  std::vector<Vec3> displacement;                  ///< |V|, m, body frame
+  std::vector<Mat3> stress;                        ///< |T|, Pa, body frame
   std::vector<std::array<Mat3, 4>> corner_stress;  ///< as that of `ElementColumns`
   /// N: force on rows that split, shared between the sides by their masses.
   std::map<VertexId, Vec3> share;

@@ -111,8 +111,8 @@ Mat3 energy_momentum(const Cells& cells, const ElementColumns& elements, const D
     const auto H = corner_gradients(elements, cells.map.corners(), deformed.displacement, t);
     const std::array<Mat3, 4>& sigma = deformed.corner_stress[t.index()];
     // Both are linear, so the integral of l_i l_j, V (1 + delta_ij) / 20, gives that of products.
-    Mat3 product = (H[0] + H[1] + H[2] + H[3]).transpose() *
-                   (sigma[0] + sigma[1] + sigma[2] + sigma[3]);
+    Mat3 product =
+        (H[0] + H[1] + H[2] + H[3]).transpose() * (sigma[0] + sigma[1] + sigma[2] + sigma[3]);
     for (std::size_t k = 0; k < 4; ++k) product += H[k].transpose() * sigma[k];
     product /= 20;
     return product - 0.5 * product.trace() * Mat3::Identity();
@@ -135,7 +135,8 @@ Vec3 material_force(const Cells& cells, const ElementColumns& elements, const De
     for (std::size_t a = 0; a < 4; ++a) {
       if (domain.has(c[a])) slope += G.col(static_cast<Eigen::Index>(a));
     }
-    force += elements.rest_volume[t.index()] * (energy_momentum(cells, elements, deformed, t) * slope);
+    force +=
+        elements.rest_volume[t.index()] * (energy_momentum(cells, elements, deformed, t) * slope);
   }
   return force;
 }

@@ -126,8 +126,8 @@ constexpr auto member_names(const Component*) {
 constexpr auto member_names(const StrainChange*) { return names("before", "after", "difference"); }
 constexpr auto member_names(const ComponentSystem*) {
   return names("order", "free_count", "held_scalars", "shape", "stiffness", "analysis",
-               "factor_row", "border", "border_age", "step", "tetrahedra", "corners",
-               "edge_nodes", "row_vertex");
+               "factor_row", "border", "border_age", "step", "tetrahedra", "corners", "edge_nodes",
+               "row_vertex");
 }
 constexpr auto member_names(const RestShape*) {
   return names("arm", "mass", "total_mass", "inertia");
@@ -162,9 +162,9 @@ constexpr auto member_names(const Partner*) {
 }
 constexpr auto member_names(const ContactMemory::Remembered*) { return names("contact", "step"); }
 constexpr auto member_names(const ContactPoint*) {
-  return names("vertex", "tetrahedron_a", "ball", "corner", "edge_a", "tetrahedron", "obstacle", "edge_b", "face", "place",
-               "place_a", "weights_a", "weights", "normal", "offset", "gap_start", "friction",
-               "impulse");
+  return names("vertex", "tetrahedron_a", "ball", "corner", "edge_a", "tetrahedron", "obstacle",
+               "edge_b", "face", "place", "place_a", "weights_a", "weights", "normal", "offset",
+               "gap_start", "friction", "impulse");
 }
 constexpr auto member_names(const ImpactWindow*) { return names("quiet", "sub_step"); }
 constexpr auto member_names(const LadderState*) { return names("still", "rubble"); }

@@ -55,7 +55,8 @@ double false_strain(const BodySettings& body, const BodyMeasures& measures);
 
 /// With fewer layers linear tetrahedra show less than two thirds of the true bending: `few_layers`.
 inline constexpr double too_few_layers = 2.9;
-/// From so many on they are less than a tenth too stiff (docs/lab/second_order.md): no need of order 2.
+/// From so many on they are less than a tenth too stiff (docs/lab/second_order.md): no need of
+/// order 2.
 inline constexpr double enough_layers = 5.5;
 
 /// Cells through the thickness: a third of the tetrahedra that a ray meets which goes in across a

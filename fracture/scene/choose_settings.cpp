@@ -190,8 +190,9 @@ Chosen kernel(const Outlook& o) {
   if (o.tetrahedra <= most_with_darts) {
     return {1, "CGAL's darts hold the volume mesh; up to a million tetrahedra they fit in 0.85 GB"};
   }
-  return {0, fmt::format("the darts of {} tetrahedra would take {:.2g} GB; rows give the same bytes",
-                         o.tetrahedra, 850e-9 * static_cast<double>(o.tetrahedra))};
+  return {0,
+          fmt::format("the darts of {} tetrahedra would take {:.2g} GB; rows give the same bytes",
+                      o.tetrahedra, 850e-9 * static_cast<double>(o.tetrahedra))};
 }
 
 constexpr std::array<std::string_view, 2> rubble_words = {"off", "certified"};

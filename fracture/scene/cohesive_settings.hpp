@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "fracture/scene/scene.hpp"
-#include "mechanics/state/settings/check_settings.hpp"
 #include "mechanics/state/mechanics_state.hpp"
+#include "mechanics/state/settings/check_settings.hpp"
 
 namespace sunder {
 

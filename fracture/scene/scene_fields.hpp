@@ -301,18 +301,19 @@ void describe(V& v, LadderSettings& l) {
   v.field(Key{"sleep", "", "Whether pieces at rest are not stepped until something touches them"},
           l.sleep);
   v.field(Key{"sleep_after", "s", "Time at rest before a piece sleeps", above(0)}, l.sleep_after);
-  v.field(Key{"rubble",
-              "",
-              "Motion of pieces that cannot break, with their contacts. off: as all others; "
-              "certified: as rigid bodies in steps of about 1/240 s, where a bound shows that they "
-              "cannot break within the step (docs/explanation/time_and_contact.md). With node_stress "
-              "fit only for single "
-              "tetrahedra; not with contact.method penalty",
-              {},
-              false,
-              "",
-              true},
-          l.rubble);
+  v.field(
+      Key{"rubble",
+          "",
+          "Motion of pieces that cannot break, with their contacts. off: as all others; "
+          "certified: as rigid bodies in steps of about 1/240 s, where a bound shows that they "
+          "cannot break within the step (docs/explanation/time_and_contact.md). With node_stress "
+          "fit only for single "
+          "tetrahedra; not with contact.method penalty",
+          {},
+          false,
+          "",
+          true},
+      l.rubble);
   v.field(
       Key{"declared_rubble", "",
           "Pieces that came off with at most this share of their body's mass never break again; "
@@ -323,11 +324,15 @@ void describe(V& v, LadderSettings& l) {
 
 template <class V>
 void describe(V& v, TopologySettings& t) {
-  v.field(Key{"kernel", "",
+  v.field(Key{"kernel",
+              "",
               "Kernel that holds the volume mesh; both give the same results. lcc: CGAL's "
               "Linear_cell_complex, a 3-map with attributes; dense: rows of corners and neighbours "
               "alone, a twentieth of the memory of the map",
-              {}, false, "", true},
+              {},
+              false,
+              "",
+              true},
           t.kernel);
 }
 

@@ -14,8 +14,8 @@ namespace {
 constexpr double most_overstress = 1.1;
 
 bool can_break(const Scene& scene, const PlannedPart& part) {
-  const bool is_long = part.part.deformation == Deformation::whole ||
-                       part.part.deformation == Deformation::catch_up;
+  const bool is_long =
+      part.part.deformation == Deformation::whole || part.part.deformation == Deformation::catch_up;
   return scene.fracture.crack == CrackMode::cohesive && is_long && part.moves &&
          part.part.impact != nullptr;
 }
@@ -34,8 +34,8 @@ bool take_back(const Attempt& attempt, StepReport& report, SimulationState& s,
                const PartInput& input, FractureScratch& scratch, ContactStepResult& taken) {
   std::vector<ComponentId> struck = std::move(taken.ties.torn);
   const BreakableBody body{s.cells, s.mechanics};
-  const std::vector<ComponentId> over = overloaded_components(
-      body, input.scene.fracture, scratch, input.members, most_overstress);
+  const std::vector<ComponentId> over =
+      overloaded_components(body, input.scene.fracture, scratch, input.members, most_overstress);
   struck.insert(struck.end(), over.begin(), over.end());
   sort_unique(struck);
   Blows blows = struck_by_cracks(std::move(struck), s.mechanics);

@@ -202,7 +202,8 @@ void assign_roles(Boundary& boundary, const SimulationState& s, std::span<const 
   // A carried rigid body is free or moves at one velocity. A body that slides along an axis, or is
   // led at a velocity that is raised, does neither.
   for (const Component& c : s.mechanics.components) {
-    if (!open.empty() && (c.partly_held || is_raised(s.mechanics, c))) boundary.component[c.id.index()] = Role::member;
+    if (!open.empty() && (c.partly_held || is_raised(s.mechanics, c)))
+      boundary.component[c.id.index()] = Role::member;
   }
   const std::vector<Body> bodies = bodies_of(s);
   take_balls(boundary, s, bodies, reach);

@@ -93,7 +93,8 @@ std::vector<VertexId> nodes_of_body(const Simulation& sim, std::size_t body) {
   return nodes;
 }
 
-/// Gives the edges of bodies of order 2 their nodes, with columns of their own. Nothing is held yet.
+/// Gives the edges of bodies of order 2 their nodes, with columns of their own. Nothing is held
+/// yet.
 void raise_orders(Simulation& sim) {
   ElementColumns& elements = sim.state->mechanics.elements;
   for (std::size_t b = 0; b < sim.bodies.size(); ++b) {
@@ -145,8 +146,9 @@ std::optional<Finding> note_on_kernel(MapKernel wanted, MapKernel taken) {
   if (wanted == taken) return std::nullopt;
   return Finding{.code = "kernel_not_built",
                  .severity = Severity::note,
-                 .text = "topology.kernel lcc: this library was built without CGAL, so rows (dense) "
-                         "hold the volume mesh; results are the same bytes",
+                 .text =
+                     "topology.kernel lcc: this library was built without CGAL, so rows (dense) "
+                     "hold the volume mesh; results are the same bytes",
                  .remedy = "give \"kernel\": \"dense\", or build with CGAL"};
 }
 
@@ -163,8 +165,8 @@ Result<Simulation> build_statics(Scene scene) {
   if (has_error(result.findings)) return result;
 
   std::vector<BodyRows> bodies;
-  Result<VolumeMap> map = build_map(join_meshes(scene.bodies, bodies), Severity::error,
-                                    scene.topology.kernel);
+  Result<VolumeMap> map =
+      build_map(join_meshes(scene.bodies, bodies), Severity::error, scene.topology.kernel);
   if (!map) {
     append(result.findings, std::move(map.findings));
     return result;

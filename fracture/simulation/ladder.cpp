@@ -254,13 +254,11 @@ void note_touches(std::vector<char>& touched, const MechanicsState& m,
 }
 
 bool all_rest(const SimulationState& state) {
-  return std::ranges::all_of(state.mechanics.components,
-                             [](const Component& c) {
-                               return c.tetrahedra.empty() || c.rung == Rung::asleep;
-                             }) &&
-         std::ranges::all_of(state.obstacles, [](const Obstacle& o) {
-           return !o.mass && o.velocity.isZero(0);
-         });
+  return std::ranges::all_of(
+             state.mechanics.components,
+             [](const Component& c) { return c.tetrahedra.empty() || c.rung == Rung::asleep; }) &&
+         std::ranges::all_of(state.obstacles,
+                             [](const Obstacle& o) { return !o.mass && o.velocity.isZero(0); });
 }
 
 LadderReport choose_rungs(GivenUp& given_up, SimulationState& s, const RungInput& input,

@@ -27,8 +27,8 @@ struct PartInput {
   StepMembers members;
   Vec3 gravity = Vec3::Zero();  ///< m/s^2
   unsigned threads = 1;
-  const std::atomic<bool>* hurry = nullptr;  ///< `Simulation::hurry`
-  bool reports_forces = false;               ///< `Simulation::reports_forces`
+  const std::atomic<bool>* hurry = nullptr;     ///< `Simulation::hurry`
+  bool reports_forces = false;                  ///< `Simulation::reports_forces`
   const std::function<bool()>* ends = nullptr;  ///< `StepInput::ends`
 };
 

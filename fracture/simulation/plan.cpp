@@ -154,8 +154,8 @@ PlannedPart next_of_members(StepPlan& plan, const Scene& scene, SimulationState&
   const bool fine = plan.throughout || !open_windows(s.impact).empty();
   const bool at_once = plan.impact.stopped || plan.hurried;
   if (fine && !at_once) {
-    StepPart wave{Deformation::wave, 0,           &scene.impact,        plan.strength,
-                  plan.threshold,    wave_viscosity(scene)};
+    StepPart wave{Deformation::wave,    0, &scene.impact, plan.strength, plan.threshold,
+                  wave_viscosity(scene)};
     plan_waves(wave, plan, scene, s);
     return {wave, wave.sub_steps * sub_step};
   }

@@ -25,8 +25,8 @@ bool take_the_others(StepPlan& plan, const SimulationState& state);
 /// The members, and the carried among which they are.
 void take_the_members(StepPlan& plan, const SimulationState& state);
 
-/// The strengths and energies at which components break, as the part to come begins: pieces that came
-/// off take their vertices' with them.
+/// The strengths and energies at which components break, as the part to come begins: pieces that
+/// came off take their vertices' with them.
 void note_strengths(StepPlan& plan, const Scene& scene, const SimulationState& state);
 
 /// Components that fans have cracked, ascending, none twice.
@@ -39,7 +39,8 @@ std::uint64_t sub_steps_of_contacts(const StepPlan& plan, const SimulationState&
                                     double left);
 
 /// Makes rigid bodies (`Rung::stiff`) of members that came off a body and have no open window. They
-/// deform again once their windows open. Supported and tied pieces, and whole bodies, deform always.
+/// deform again once their windows open. Supported and tied pieces, and whole bodies, deform
+/// always.
 void stiffen_members(StepPlan& plan, SimulationState& state);
 
 /// Members that were stiff deform from here on.

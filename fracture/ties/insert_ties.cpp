@@ -108,9 +108,9 @@ Vec3 traction_between(const Cells& cells, const MechanicsState& mechanics,
   const NodePlace &a = beginning.a, &b = beginning.b;
   const double mass_a = mechanics.vertices.mass[a.row(cells, mechanics).index()];
   const double mass_b = mechanics.vertices.mass[b.row(cells, mechanics).index()];
-  const Vec3 on_a = (mass_a * elastic_force(cells, mechanics, b) -
-                     mass_b * elastic_force(cells, mechanics, a)) /
-                    (mass_a + mass_b);
+  const Vec3 on_a =
+      (mass_a * elastic_force(cells, mechanics, b) - mass_b * elastic_force(cells, mechanics, a)) /
+      (mass_a + mass_b);
   // A force that pulls a back towards b is tension.
   if (!(beginning.area > 0)) return Vec3::Zero();
   return -on_a / beginning.area;
@@ -163,8 +163,7 @@ void begin_corners(std::vector<Tie>& ties, const Cells& cells, const MechanicsSt
     Vec3 traction = Vec3::Zero();
     if (alone) traction = traction_between(cells, mechanics, beginning);
     for (const auto& [tie, k] : beginning.corners) {
-      const double strength =
-          std::max(threshold, effective_traction(traction, normal, tie->shear));
+      const double strength = std::max(threshold, effective_traction(traction, normal, tie->shear));
       tie->corners[k].strength = strength;
       tie->corners[k].opening_end = 2 * tie->fracture_energy / strength;
     }

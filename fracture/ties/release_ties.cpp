@@ -56,8 +56,8 @@ TieRelease release_ties(Cells& cells, ContactMemory& contact, Detection detectio
     return true;
   });
   if (release.faces.empty()) return release;
-  release.components = update_components(cells.pieces->map, release.faces, detection,
-                                         cells.pieces->labels, scratch);
+  release.components =
+      update_components(cells.pieces->map, release.faces, detection, cells.pieces->labels, scratch);
   if (release.components.created > 0) follow_pieces(cells);
   return release;
 }

@@ -89,15 +89,15 @@ void make_pattern(ReassembledSystem& system, const ComponentStep& step) {
   K.value.assign(9 * K.row.size(), 0.0);
   system.places.clear();
   for (const TetId t : step.component.tetrahedra) {
-    for_each_block(system, step, t,
-                   [&](std::size_t, std::size_t, std::uint32_t column, std::uint32_t row) {
-                     system.places.push_back(ReassembledSystem::none);
-                     if (row == ReassembledSystem::none) return;
-                     const auto begin = K.row.begin() + K.start[column];
-                     const auto end = K.row.begin() + K.start[column + 1];
-                     system.places.back() = static_cast<std::uint32_t>(
-                         std::lower_bound(begin, end, row) - K.row.begin());
-                   });
+    for_each_block(
+        system, step, t, [&](std::size_t, std::size_t, std::uint32_t column, std::uint32_t row) {
+          system.places.push_back(ReassembledSystem::none);
+          if (row == ReassembledSystem::none) return;
+          const auto begin = K.row.begin() + K.start[column];
+          const auto end = K.row.begin() + K.start[column + 1];
+          system.places.back() =
+              static_cast<std::uint32_t>(std::lower_bound(begin, end, row) - K.row.begin());
+        });
   }
 }
 
@@ -132,16 +132,15 @@ void assemble(ReassembledSystem& system, const ComponentStep& step, std::span<co
     own_turn += at.points;
     const Lame constants = lame(material_of(step.state, t));
     const double volume = elements.rest_volume[t.index()] / static_cast<double>(at.points);
-    for_each_block(system, step, t,
-                   [&](std::size_t a, std::size_t b, std::uint32_t, std::uint32_t) {
-                     const std::uint32_t to = *place++;
-                     if (to == ReassembledSystem::none) return;
-                     for (std::size_t q = 0; q < at.points; ++q) {
-                       add_stiffness_block(system.matrix.value.data() + 9 * std::size_t{to},
-                                           at.node[q][a], at.node[q][b],
-                                           {volume * constants.lambda, volume * constants.mu});
-                     }
-                   });
+    for_each_block(
+        system, step, t, [&](std::size_t a, std::size_t b, std::uint32_t, std::uint32_t) {
+          const std::uint32_t to = *place++;
+          if (to == ReassembledSystem::none) return;
+          for (std::size_t q = 0; q < at.points; ++q) {
+            add_stiffness_block(system.matrix.value.data() + 9 * std::size_t{to}, at.node[q][a],
+                                at.node[q][b], {volume * constants.lambda, volume * constants.mu});
+          }
+        });
   }
 }
 

@@ -63,7 +63,8 @@ double element_bound(const MechanicsState& state, std::size_t t) {
           node_block(elements.shape_gradient[t], elements.rest_volume[t], constants, count, b, a);
     }
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver = symmetric_eigen(K, Eigen::EigenvaluesOnly);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver =
+      symmetric_eigen(K, Eigen::EigenvaluesOnly);
   const double highest = solver.eigenvalues().tail<1>()[0];
   return highest > 0 ? 2 / std::sqrt(highest) : std::numeric_limits<double>::infinity();
 }

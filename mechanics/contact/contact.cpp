@@ -154,7 +154,8 @@ std::vector<Vec3> finish_contacts(ContactStep& step) {
   return moments;
 }
 
-/// The damping of explicit steps: the work of stress against motion, less the change of strain energy.
+/// The damping of explicit steps: the work of stress against motion, less the change of strain
+/// energy.
 void take_off_strain(StepStatus& status, const MechanicsState& state, const StepInput& input) {
   if (!input.measures_strain) return;
   for_each_living(state, input.members, [&](const Component& component) {

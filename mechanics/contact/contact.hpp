@@ -8,8 +8,8 @@
 
 #include "mechanics/contact/contact_point.hpp"
 #include "mechanics/contact/contact_report.hpp"
-#include "mechanics/contact/settings/contact_settings.hpp"
 #include "mechanics/contact/impact/impact.hpp"
+#include "mechanics/contact/settings/contact_settings.hpp"
 #include "mechanics/contact/shapes/obstacle.hpp"
 #include "mechanics/contact/waves/wave_work.hpp"
 #include "mechanics/state/impulse.hpp"
@@ -47,7 +47,7 @@ struct WaveTrace {
   std::vector<Impulse> loads;           ///< row = ComponentId, about the origin: of surface loads
   WaveWork work;
   RowWork contact;
-  double bonds = 0;  ///< J, taken from motion by bonds beyond their law
+  double bonds = 0;                ///< J, taken from motion by bonds beyond their law
   std::uint32_t scaled_cells = 0;  ///< with selective mass scaling (`ScaledCells`)
 };
 

@@ -44,9 +44,8 @@ Vec3 turn_of_arm(const ContactStep& step, const ContactPoint& contact) {
   if (!contact.is_sphere_a() || !contact.is_body_b()) return Vec3::Zero();
   const Vec3 arm = radius_of(step.pass.obstacles[contact.ball].shape) * contact.normal;
   const ComponentId id = component_of_b(contact, step.pass.state);
-  const Eigen::Quaterniond turn =
-      step.pass.mechanics.predicted.frame[id.index()].orientation *
-      step.pass.state.components[id.index()].orientation.conjugate();
+  const Eigen::Quaterniond turn = step.pass.mechanics.predicted.frame[id.index()].orientation *
+                                  step.pass.state.components[id.index()].orientation.conjugate();
   return turn * arm - arm;
 }
 
@@ -79,9 +78,8 @@ double measure_rows(ContactStep& step) {
   for (std::size_t k = 0; k < step.contacts.size(); ++k) {
     const ContactPoint& contact = step.contacts[k];
     Constraint& row = step.scratch.bodies.rows[k];
-    const double error = k < step.tied_rows
-                             ? measure_tie(row, step.ties[k], contact.impulse, paths)
-                             : measure_contact(step, contact, row, paths);
+    const double error = k < step.tied_rows ? measure_tie(row, step.ties[k], contact.impulse, paths)
+                                            : measure_contact(step, contact, row, paths);
     worst = std::max(worst, error);
   }
   return worst;
@@ -90,10 +88,9 @@ double measure_rows(ContactStep& step) {
 /// Solves, hands the changes on, and predicts all bodies that were touched.
 void solve_pass(ContactStep& step) {
   ContactBodies& bodies = step.scratch.bodies;
-  const SolveOutcome outcome =
-      solve_contacts(bodies.rows, bodies.bodies,
-                     {step.h(), step.report.tolerated, step.settings.max_iterations,
-                      step.pass.input.hurry, true});
+  const SolveOutcome outcome = solve_contacts(
+      bodies.rows, bodies.bodies,
+      {step.h(), step.report.tolerated, step.settings.max_iterations, step.pass.input.hurry, true});
   step.report.iterations += outcome.iterations;
   step.report.converged = step.report.converged && outcome.converged;
   step.report.force_error = outcome.impulse / step.h();
@@ -119,9 +116,9 @@ int most_passes(const ContactStep& step) {
   return answers ? step.settings.max_passes : std::min(step.settings.max_passes, for_others);
 }
 
-/// The gap error that counts as none, m, where contacts would end `deepest` too deep. By default a ten
-/// thousandth of the depth that is never pushed out is as good as nothing: pieces that lie in a heap
-/// are not solved for further. A finer tolerance, say 1e-8, gets its gaps.
+/// The gap error that counts as none, m, where contacts would end `deepest` too deep. By default a
+/// ten thousandth of the depth that is never pushed out is as good as nothing: pieces that lie in a
+/// heap are not solved for further. A finer tolerance, say 1e-8, gets its gaps.
 double tolerated_error(const ContactStep& step, double deepest) {
   const double asked = step.settings.tolerance / 1e-5;
   const double nothing = 1e-4 * step.settings.allowed_penetration;

@@ -12,16 +12,16 @@
 
 namespace sunder {
 
-/// One unilateral contact with friction. Side A is a vertex, a point of a tetrahedron, a sphere, or a
-/// corner or a point of an edge of another obstacle. Side B is an obstacle, a face or an edge of a
-/// tetrahedron (its ball for `penalty`), or the vertex that was one with A before a crack
+/// One unilateral contact with friction. Side A is a vertex, a point of a tetrahedron, a sphere, or
+/// a corner or a point of an edge of another obstacle. Side B is an obstacle, a face or an edge of
+/// a tetrahedron (its ball for `penalty`), or the vertex that was one with A before a crack
 /// (`Partner`). The impulse on B acts at the place of A, so that no angular momentum is lost. The
 /// corners of B share it by `weights`.
 struct ContactPoint {
   static constexpr std::uint32_t none = 0xffffffffu;
   static constexpr std::uint8_t edge_place = 4;  ///< `place` of edge 0 (`edge_ends`)
-  VertexId vertex;                ///< A, or
-  TetId tetrahedron_a;            ///< A: `weights_a` of its corners, or
+  VertexId vertex;                               ///< A, or
+  TetId tetrahedron_a;                           ///< A: `weights_a` of its corners, or
   std::uint32_t ball = none;      ///< A: row of a sphere, or of an obstacle with corners,
   std::uint32_t corner = none;    ///< and which of them (`corner_at`), or
   std::uint32_t edge_a = none;    ///< which of its edges (`edge_at`): `weights_a` of its two ends
@@ -32,7 +32,7 @@ struct ContactPoint {
   HalfFaceId face;
   /// The feature of B's tetrahedron that is met: 0 to 3 its faces, from `edge_place` on its edges.
   std::uint8_t place = 0;
-  std::uint8_t place_a = 0;  ///< of A's tetrahedron, by the same numbers
+  std::uint8_t place_a = 0;                        ///< of A's tetrahedron, by the same numbers
   std::array<double, 4> weights_a = {0, 0, 0, 0};  ///< shares of the corners of A's tetrahedron
   /// Of the corners of B, in the point of the tetrahedron that is nearest to A as they touch.
   std::array<double, 4> weights = {0.25, 0.25, 0.25, 0.25};

@@ -58,7 +58,8 @@ bool ends_far_off(const ContactStep& step) {
     double size = std::numeric_limits<double>::infinity();
     const TetId of_vertex = c.vertex.is_none() ? TetId::none() : first[c.vertex.index()];
     for (const TetId t : {of_vertex, c.tetrahedron_a, c.tetrahedron}) {
-      if (!t.is_none()) size = std::min(size, mean_edge(places_of(paths.corners[t.index()], paths)));
+      if (!t.is_none())
+        size = std::min(size, mean_edge(places_of(paths.corners[t.index()], paths)));
     }
     if (c.is_sphere_a()) size = std::min(size, radius_of(step.pass.obstacles[c.ball].shape));
     if (row_error(step.scratch.bodies.rows[k]) > passing_share * size) return true;

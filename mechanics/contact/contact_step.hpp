@@ -8,9 +8,9 @@
 #include <tuple>
 #include <vector>
 
-#include "mechanics/contact/response/contact_bodies.hpp"
-#include "mechanics/contact/detection/contact_detect.hpp"
 #include "mechanics/contact/cohesion/contact_ties.hpp"
+#include "mechanics/contact/detection/contact_detect.hpp"
+#include "mechanics/contact/response/contact_bodies.hpp"
 
 namespace sunder {
 
@@ -19,8 +19,8 @@ using ContactKey =
     std::tuple<std::uint32_t, std::uint32_t, std::uint32_t, VertexId, TetId, std::uint8_t,
                std::uint32_t, std::uint32_t, TetId, HalfFaceId, std::uint8_t>;
 inline ContactKey key_of(const ContactPoint& c) {
-  return {c.ball,   c.corner,      c.edge_a, c.vertex, c.tetrahedron_a, c.place_a, c.obstacle,
-          c.edge_b, c.tetrahedron, c.face,   c.place};
+  return {c.ball,     c.corner, c.edge_a,      c.vertex, c.tetrahedron_a, c.place_a,
+          c.obstacle, c.edge_b, c.tetrahedron, c.face,   c.place};
 }
 
 /// The values at the start that a step changes before it is adopted.
@@ -46,7 +46,7 @@ struct ContactScratch::Buffers {
   std::vector<char> rests;  ///< components, then obstacles: that begin on something
   /// Row = ComponentId, m/s^2 and rad/s^2 of free components; empty without surface loads.
   std::vector<std::array<Vec3, 2>> load_acceleration;
-  std::unique_ptr<WaveScratch> wave;  ///< of explicit steps; null until needed
+  std::unique_ptr<WaveScratch> wave;   ///< of explicit steps; null until needed
   std::vector<ContactPoint> left_out;  ///< that end too deep and were not solved for
 };
 
@@ -54,7 +54,7 @@ struct ContactScratch::Buffers {
 struct ContactStep {
   /// The contacts that the next detection looks for.
   enum class Look {
-    resting,   ///< all; of bodies that rest on something only those with their supports
+    resting,  ///< all; of bodies that rest on something only those with their supports
     all,
     overlaps,  ///< tetrahedra that overlap as the step ends, once all else is solved
   };
@@ -75,8 +75,8 @@ struct ContactStep {
   double margin = 0;  ///< m: `StepPaths::margin`
   std::optional<WaveTrace> trace = {};  ///< of explicit steps
   std::uint32_t sub_steps = 1;          ///< of an explicit wave, that were taken
-  bool has_left = false;  ///< something was left to the next pass
-  bool stalled = false;   ///< the last solve ended near its tolerance (`SolveOutcome`)
+  bool has_left = false;                ///< something was left to the next pass
+  bool stalled = false;  ///< the last solve ended near its tolerance (`SolveOutcome`)
 
   double h() const { return pass.input.settings.time_step; }
   Deformation deformation() const { return pass.input.part.deformation; }

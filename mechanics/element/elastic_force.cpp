@@ -111,7 +111,8 @@ double elastic_energy(const ElasticInput& input, const Component& component,
     if (is_second_order(elements, t)) {
       const std::array<Mat3, 4> H = corner_gradients(elements, input.corners, displacement, t);
       std::array<Mat3, 4> sigma;
-      for (std::size_t c = 0; c < 4; ++c) sigma[c] = stress_of(H[c], lame(material_of(input.state, t)));
+      for (std::size_t c = 0; c < 4; ++c)
+        sigma[c] = stress_of(H[c], lame(material_of(input.state, t)));
       energy += 0.5 * elements.rest_volume[t.index()] * mean_product(sigma, H);
       continue;
     }

@@ -55,8 +55,7 @@ Mat3 node_block(const ShapeGradient& G, double volume, const Lame& constants, st
                            volume, constants);
   }
   Mat3 block = Mat3::Zero();
-  add_second_order_block(block.data(), G, b, a,
-                         {volume * constants.lambda, volume * constants.mu});
+  add_second_order_block(block.data(), G, b, a, {volume * constants.lambda, volume * constants.mu});
   return block;
 }
 

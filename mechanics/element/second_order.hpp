@@ -30,15 +30,16 @@ constexpr double node_weight(std::size_t node) { return node < 4 ? -1.0 / 20 : 1
 void add_second_order_block(double* to, const ShapeGradient& gradient, std::size_t a, std::size_t b,
                             const Lame& scaled);
 
-/// The block of K_e between nodes `b` and `a` of a tetrahedron of either order, with 4 or 10 (`count`)
-/// of them, N/m. `volume`: at rest, m^3.
+/// The block of K_e between nodes `b` and `a` of a tetrahedron of either order, with 4 or 10
+/// (`count`) of them, N/m. `volume`: at rest, m^3.
 Mat3 node_block(const ShapeGradient& gradient, double volume, const Lame& constants,
                 std::size_t count, std::size_t b, std::size_t a);
 
 /// A vector at each of the ten nodes.
 using NodeVectors = std::array<Vec3, 10>;
 
-/// sum_a d_a (grad N_a)^T at the four corners, of vectors d at the nodes: of displacements H, no unit.
+/// sum_a d_a (grad N_a)^T at the four corners, of vectors d at the nodes: of displacements H, no
+/// unit.
 std::array<Mat3, 4> corner_gradients(const ShapeGradient& gradient, const NodeVectors& d);
 
 /// H at the four corners of tetrahedron `t`, no unit, from the displacements of its nodes. Needs:
@@ -63,8 +64,8 @@ double mean_product(const std::array<Mat3, 4>& a, const std::array<Mat3, 4>& b);
 Vec3 second_order_force(const ShapeGradient& gradient, double rest_volume,
                         const std::array<Mat3, 4>& stress, std::size_t a);
 
-/// The force K_e d_e on a node of tetrahedron `t` of either order (0 to 3, or 9), from stresses as in
-/// `ElementColumns`, |T| rows each. N, body frame.
+/// The force K_e d_e on a node of tetrahedron `t` of either order (0 to 3, or 9), from stresses as
+/// in `ElementColumns`, |T| rows each. N, body frame.
 Vec3 node_force(const ElementColumns& elements, std::span<const Mat3> stress,
                 std::span<const std::array<Mat3, 4>> corner_stress, TetId t, std::size_t node);
 

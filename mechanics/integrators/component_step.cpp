@@ -35,10 +35,13 @@ ComponentSystem& built_system(MechanicsState& state, std::span<const Corners> co
 
 bool is_pulled(const MechanicsState& state, const Component& component) {
   return component.partly_held ||
-         (component.supported && std::ranges::any_of(component.vertices, [&](VertexId v) {
-           return !state.vertices.support[v.index()].is_none() &&
-                  support_velocity(state, v) != component.frame_velocity;
-         })) || is_raised(state, component);
+         (component.supported &&
+          std::ranges::any_of(component.vertices,
+                              [&](VertexId v) {
+                                return !state.vertices.support[v.index()].is_none() &&
+                                       support_velocity(state, v) != component.frame_velocity;
+                              })) ||
+         is_raised(state, component);
 }
 
 Deformation deformation_of(const StepInput& input, const MechanicsState& state,

@@ -61,8 +61,7 @@ void add_rates(MechanicsState& state, const BodyBlow& blow) {
 /// An isolated tetrahedron answers as a whole.
 void set_rigid_velocities(MechanicsState& state, const Component& component) {
   const Mat3 R = component.orientation.toRotationMatrix();
-  const Vec3 spin =
-      R * solve3(component.rest_inertia, R.transpose() * component.angular_momentum);
+  const Vec3 spin = R * solve3(component.rest_inertia, R.transpose() * component.angular_momentum);
   for (VertexId v : component.vertices) {
     const Vec3 arm = R * (state.vertices.rest_position[v.index()] - component.rest_centre);
     state.vertices.velocity[v.index()] = component.momentum / component.mass + spin.cross(arm);
@@ -76,8 +75,7 @@ void apply_to_component(MechanicsState& state, const BodyBlow& blow) {
     for (const VertexImpulse& hit : blow.impulses) {
       const std::size_t v = hit.vertex.index();
       if (is_held_whole(state, hit.vertex)) continue;
-      const Vec3 change =
-          free_part(state, hit.vertex, back * hit.impulse / state.vertices.mass[v]);
+      const Vec3 change = free_part(state, hit.vertex, back * hit.impulse / state.vertices.mass[v]);
       state.vertices.velocity[v] += back.transpose() * change;
       state.vertices.displacement_rate[v] += change;
     }

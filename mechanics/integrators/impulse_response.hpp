@@ -30,8 +30,8 @@ void apply_impulses(MechanicsState& state, std::span<const VertexImpulse> impuls
 /// Inertia of a component about its mass centre as it is deformed now, kg m^2, world.
 Mat3 world_inertia(const MechanicsState& state, const Component& component);
 
-/// Gives a free rigid component (`Component::rigid`) an impulse (N s) through its mass centre. O(vertices
-/// of the component).
+/// Gives a free rigid component (`Component::rigid`) an impulse (N s) through its mass centre.
+/// O(vertices of the component).
 void apply_push(MechanicsState& state, ComponentId id, const Vec3& impulse);
 
 /// Adds an angular impulse (N m s) to a free component as a change of its spin: L += twist, and the

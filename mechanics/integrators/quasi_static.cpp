@@ -25,7 +25,8 @@ Field equilibrium(const ComponentStep& step, const Field& before) {
     return before.col(i) + step.input.settings.time_step * (back * relative);
   };
   for (Eigen::Index i = free; i < free + held; ++i) d.col(i) = moved_on(i);
-  for (const Eigen::Index row : system.held_scalars) d(row % 3, row / 3) = moved_on(row / 3)[row % 3];
+  for (const Eigen::Index row : system.held_scalars)
+    d(row % 3, row / 3) = moved_on(row / 3)[row % 3];
   Field load = scratch_field(step.scratch, ScratchField::load, n);
   load.setZero();
   add_body_load(load, step, back.transpose());

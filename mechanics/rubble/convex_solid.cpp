@@ -19,7 +19,8 @@ struct Plane {
 };
 
 /// Planes of all triangles, each once; nothing where there are more than a solid may have.
-std::optional<std::vector<Plane>> find_planes(std::span<const Triangle> triangles, double tolerance) {
+std::optional<std::vector<Plane>> find_planes(std::span<const Triangle> triangles,
+                                              double tolerance) {
   std::vector<Plane> planes;
   for (const Triangle& t : triangles) {
     const Vec3 normal = (t[1] - t[0]).cross(t[2] - t[0]).normalized();

@@ -35,8 +35,8 @@ void turn(MovingBody& m, const RubbleBody& body) {
 
 /// Patches of bodies that may touch within `time`.
 void find(Tick& tick, double time) {
-  const FindInput input{tick.bodies, tick.scratch.moving, tick.shapes, tick.partners,
-                        tick.settings,  time};
+  const FindInput input{tick.bodies,   tick.scratch.moving, tick.shapes,
+                        tick.partners, tick.settings,       time};
   do {
     const auto start = Clock::now();
     find_pairs(tick.scratch.find, input);
@@ -150,9 +150,9 @@ void move(Tick& tick) {
     // A parabola: its weight acts half-way.
     tick.report.gravity.tail<3>() += way.cross(body.momentum);
     if (m.spin.isZero(0)) continue;
-    body.orientation =
-        turn_through_step(body.orientation, {body.inertia, Vec3::Zero(), body.angular_momentum,
-                                             body.angular_momentum, h});
+    body.orientation = turn_through_step(
+        body.orientation,
+        {body.inertia, Vec3::Zero(), body.angular_momentum, body.angular_momentum, h});
     turn(m, body);
   }
 }
@@ -189,9 +189,8 @@ void remember(Tick& tick) {
     return !keeps_still(tick, p.a) || !keeps_still(tick, p.b);
   });
   for (const RubblePatch& patch : tick.scratch.patches) add_memory(points, tick, patch);
-  std::ranges::stable_sort(points, {}, [](const RubbleMemory::Point& p) {
-    return std::pair(p.a, p.b);
-  });
+  std::ranges::stable_sort(points, {},
+                           [](const RubbleMemory::Point& p) { return std::pair(p.a, p.b); });
 }
 
 /// How often patches are found in a tick: more often while most bodies fly farther in a tick than
@@ -285,7 +284,8 @@ void take_round(Tick& tick, int rounds) {
   const auto start = Clock::now();
   auto& [find, moving, patches, order, pressed, velocity, spin] = tick.scratch;
   double size = 0;
-  for (const RubbleBody& body : tick.bodies) size = std::max(size, is_awake(body) ? body.radius : 0);
+  for (const RubbleBody& body : tick.bodies)
+    size = std::max(size, is_awake(body) ? body.radius : 0);
   // The speed of a fall by its own size; a sweep without pushing takes that speed back.
   const double push = std::max(3 * size, std::sqrt(tick.settings.gravity.norm() * size));
   const SweepRule pushing = pushing_rule(tick.sub_step(), tick.settings.slop, push);

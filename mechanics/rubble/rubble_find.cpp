@@ -132,7 +132,8 @@ Manifold manifold_of(const FindInput& input, const FindScratch& scratch, const R
   if (q == Kind::half_space) {
     return p == Kind::half_space ? Manifold{} : on_half_space(input, a, b, solids[a], approach);
   }
-  if (p == Kind::half_space) return turned_round(on_half_space(input, b, a, solids[b], turned_round(approach)));
+  if (p == Kind::half_space)
+    return turned_round(on_half_space(input, b, a, solids[b], turned_round(approach)));
   if (p == Kind::ball && q == Kind::ball) return between_balls(input, a, b, approach);
   const auto ball = [&](std::uint32_t row, std::uint32_t other, const Approach& its) {
     const RubbleShape& shape = input.shapes[row];

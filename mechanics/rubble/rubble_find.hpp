@@ -13,11 +13,11 @@ namespace sunder {
 struct FindScratch {
   /// How a body goes on in the time.
   struct Turn {
-    Vec3 way{0, 0, 0};           ///< m, of its centre
-    Vec3 turn{0, 0, 0};          ///< rad
-    Mat3 chord = Mat3::Zero();   ///< from an arm to where turning takes it, less the arm
+    Vec3 way{0, 0, 0};          ///< m, of its centre
+    Vec3 turn{0, 0, 0};         ///< rad
+    Mat3 chord = Mat3::Zero();  ///< from an arm to where turning takes it, less the arm
   };
-  std::vector<Turn> turns;       ///< row = body
+  std::vector<Turn> turns;  ///< row = body
   std::vector<Bounds> boxes;
   std::vector<Polytope> solids;  ///< row = shape; only of tetrahedra and boxes
   std::vector<Vec3> ways;        ///< m, row = shape: of its centre in the time

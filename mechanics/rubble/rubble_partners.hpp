@@ -16,8 +16,8 @@ void find_facing(FindScratch& scratch, const FindInput& input);
 /// Their contact is then that of the partners.
 bool touch_as_partners(const FindScratch& scratch, const FindInput& input, const RowPair& pair);
 
-/// Appends a patch for each pair of partners that face each other and may touch: their corners, with
-/// the gaps n . (x_A - x_B) along the mean normal n of the two faces.
+/// Appends a patch for each pair of partners that face each other and may touch: their corners,
+/// with the gaps n . (x_A - x_B) along the mean normal n of the two faces.
 void add_partner_patches(std::vector<RubblePatch>& patches, const FindScratch& scratch,
                          const FindInput& input);
 

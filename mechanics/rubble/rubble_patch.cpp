@@ -93,8 +93,8 @@ void sweep(RubblePatch& patch, MovingBody& a, MovingBody& b, const SweepRule& ru
   }
   for (int k = 0; k < patch.count; ++k) {
     RubblePatch::Point& p = patch.point[static_cast<std::size_t>(k)];
-    const double speed = patch.normal.dot(a.velocity + a.spin.cross(p.arm_a) - b.velocity -
-                                          b.spin.cross(p.arm_b));
+    const double speed =
+        patch.normal.dot(a.velocity + a.spin.cross(p.arm_a) - b.velocity - b.spin.cross(p.arm_b));
     // Apart: it may come as near as the gap. Overlapped: it goes away by a share.
     double wanted = -p.separation * rule.over_step, share = 1, leak = 0;
     if (p.separation <= 0) {

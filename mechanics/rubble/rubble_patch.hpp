@@ -23,12 +23,12 @@ struct MovingBody {
 /// A manifold between two bodies, with its impulses.
 struct RubblePatch {
   struct Point {
-    Vec3 local_a, local_b;    ///< in the bodies' own axes, about their centres, m
+    Vec3 local_a, local_b;                  ///< in the bodies' own axes, about their centres, m
     Vec3 arm_a{0, 0, 0}, arm_b{0, 0, 0};    ///< of the place at which both are pushed, world, m
     Vec3 turn_a{0, 0, 0}, turn_b{0, 0, 0};  ///< change of the spins by a unit impulse
-    double separation = 0;    ///< m
-    double response = 0;      ///< kg: inverse of the change of the approach by a unit impulse
-    double impulse = 0;       ///< N s, of this sub-step
+    double separation = 0;                  ///< m
+    double response = 0;  ///< kg: inverse of the change of the approach by a unit impulse
+    double impulse = 0;   ///< N s, of this sub-step
     std::uint32_t shape_a = 0, shape_b = 0;  ///< the two shapes of the point
   };
   std::uint32_t a = 0, b = 0;  ///< bodies

@@ -17,8 +17,8 @@ double approach(const Tick& tick, const RubblePatch& patch, double time) {
   double fastest = -1;
   for (std::size_t k = 0; k < static_cast<std::size_t>(patch.count); ++k) {
     const Vec3 arm_a = a.turned * patch.point[k].local_a, arm_b = b.turned * patch.point[k].local_b;
-    const double speed = -patch.normal.dot(a.velocity + a.spin.cross(arm_a) - b.velocity -
-                                           b.spin.cross(arm_b));
+    const double speed =
+        -patch.normal.dot(a.velocity + a.spin.cross(arm_a) - b.velocity - b.spin.cross(arm_b));
     const double gap = patch.normal.dot(a.centre + arm_a - b.centre - arm_b);
     if (gap - time * (speed + fall) < tick.settings.slop) fastest = std::max({fastest, speed, 0.0});
   }

@@ -78,7 +78,9 @@ Rows postorder(const Tree& tree) {
                    [&](std::uint32_t a, std::uint32_t b) { return tree.count[a] < tree.count[b]; });
   // Heads of lists of children, the one with the most rows first; roots hang under column n.
   Rows child(n + 1, no_node), sibling(n, no_node);
-  const auto above = [&](std::uint32_t j) { return tree.parent[j] == no_node ? n : tree.parent[j]; };
+  const auto above = [&](std::uint32_t j) {
+    return tree.parent[j] == no_node ? n : tree.parent[j];
+  };
   for (std::uint32_t j : by_count) {
     sibling[j] = child[above(j)];
     child[above(j)] = j;

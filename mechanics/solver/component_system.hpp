@@ -63,7 +63,7 @@ struct ComponentSystem {
   std::vector<TetId> tetrahedra;
   std::vector<Corners> corners;
   std::vector<EdgeNodes> edge_nodes;  ///< empty where all are of first order
-  std::vector<VertexId> row_vertex;  ///< of every extended row
+  std::vector<VertexId> row_vertex;   ///< of every extended row
 
   std::size_t size() const { return order.size(); }
 };

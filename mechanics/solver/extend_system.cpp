@@ -56,8 +56,8 @@ void fill_columns(ComponentSystem& old, const ExtendedRows& rows, std::size_t fi
         const std::uint32_t row = rows[nodes.row[b].index()];
         if (row == no_row) continue;
         Mat3 block = node_block(G, elements.rest_volume[t.index()], constants, nodes.count, b, a);
-        leave_out(block, held_axes(input.state, nodes.row[b]),
-                  held_axes(input.state, nodes.row[a]), a == b);
+        leave_out(block, held_axes(input.state, nodes.row[b]), held_axes(input.state, nodes.row[a]),
+                  a == b);
         add_block(old.border, old.border.columns[own - old.border.base], row, block);
       }
     }

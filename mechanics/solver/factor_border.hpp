@@ -29,8 +29,8 @@ struct FactorBorder {
   std::size_t rows() const { return base + columns.size(); }
 };
 
-/// Adds a block of K, N/m, to a column of the border: at its extended row and at all that the row is a
-/// copy of, as the unknowns are differences.
+/// Adds a block of K, N/m, to a column of the border: at its extended row and at all that the row
+/// is a copy of, as the unknowns are differences.
 void add_block(const FactorBorder& border, FactorBorder::Column& column, std::uint32_t row,
                const Eigen::Matrix3d& block);
 
@@ -62,7 +62,8 @@ bool extend_border(BorderFactor& part, const BorderedMatrix& A);
 
 /// x <- A^-1 x on the extended rows: loads and answers of vertices, not of differences. `X`: the
 /// same for twelve right-hand sides row by row, as in `solve_12`: loads in the supernodes `loaded`
-/// and those above alone, answers in `needed`, which hold those. Copies count where their origins do.
+/// and those above alone, answers in `needed`, which hold those. Copies count where their origins
+/// do.
 void solve_bordered(double* x, const BorderFactor& part, const BorderedMatrix& A);
 void solve_bordered_12(double* X, const BorderFactor& part, const BorderedMatrix& A,
                        std::span<const char> loaded, std::span<const char> needed);

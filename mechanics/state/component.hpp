@@ -50,8 +50,8 @@ struct Component {
   StrainChange strain_change;  ///< then, where asked for (`StepInput::measures_strain`); else 0
 };
 
-/// Whether a component is one free tetrahedron of first order (`IntegratorSettings::isolated`); one of
-/// second order is a rigid body like larger ones.
+/// Whether a component is one free tetrahedron of first order (`IntegratorSettings::isolated`); one
+/// of second order is a rigid body like larger ones.
 inline bool is_isolated(const Component& component) {
   return component.rigid && component.tetrahedra.size() == 1 && component.vertices.size() == 4;
 }

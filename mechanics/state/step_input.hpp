@@ -48,9 +48,9 @@ struct StepPart {
   /// With `impact`: J that a component must hold before it can break, |C|. Blows below it do not
   /// count. Empty: every blow counts.
   std::span<const double> threshold = {};
-  /// Of a wave: cells get the viscosity C = this times `Component::cell_travel` times K, but at most
-  /// half of critical damping. It keeps wave fronts from overshooting on a mesh, as the linear bulk
-  /// viscosity of explicit codes does [von Neumann and Richtmyer 1950].
+  /// Of a wave: cells get the viscosity C = this times `Component::cell_travel` times K, but at
+  /// most half of critical damping. It keeps wave fronts from overshooting on a mesh, as the linear
+  /// bulk viscosity of explicit codes does [von Neumann and Richtmyer 1950].
   double viscosity = 0.3;
   /// s, of a wave: contacts are found for so long; 0: those found before still serve.
   double contacts_for = 0;

@@ -26,8 +26,8 @@ inline Vec3 free_part(const MechanicsState& state, VertexId vertex, Vec3 vector)
   return vector;
 }
 
-/// m/s, world: the velocity of a vertex, with that of its motion along the axes on which it is held.
-/// `orientation`: of its component.
+/// m/s, world: the velocity of a vertex, with that of its motion along the axes on which it is
+/// held. `orientation`: of its component.
 Vec3 with_support(const MechanicsState& state, VertexId vertex, const Vec3& velocity,
                   const Eigen::Quaterniond& orientation);
 

@@ -15,9 +15,9 @@ namespace sunder {
 /// One corner of a tied face after its vertex has split. In elements of order 2 it is the middle of
 /// an edge, because corners carry no uniform traction.
 struct TieCorner {
-  double area = 0;      ///< m^2, A |n . n_f| / 3
-  double strength = 0;  ///< Pa, sigma, before it opens; 0: not split yet
-  double opened = 0;    ///< m, delta_max: the largest effective opening so far
+  double area = 0;         ///< m^2, A |n . n_f| / 3
+  double strength = 0;     ///< Pa, sigma, before it opens; 0: not split yet
+  double opened = 0;       ///< m, delta_max: the largest effective opening so far
   double opening_end = 0;  ///< m, delta_c = 2 G_c / sigma: no traction from here on
   double taken = 0;        ///< J, dissipated so far
 
@@ -34,8 +34,9 @@ struct Tie {
   /// Places of the tied nodes in their tetrahedra (`nodes_of`), in the order of the darts of
   /// `face`; k meets k.
   std::array<std::uint8_t, 3> corner{}, opposite_corner{};
-  Vec3 normal = Vec3::UnitZ();  ///< of the crack, rest frame, unit length, from `opposite` to `face`
-  double fracture_energy = 0;   ///< J/m^2, G_c
+  Vec3 normal =
+      Vec3::UnitZ();           ///< of the crack, rest frame, unit length, from `opposite` to `face`
+  double fracture_energy = 0;  ///< J/m^2, G_c
   ShearLaw shear = {};
   std::array<TieCorner, 3> corners;
 

@@ -48,7 +48,8 @@ TEST_CASE("node stress finds this much of the stress at a bent surface", "[accur
 
 TEST_CASE("a slow load breaks a beam of 4 elements where and when its equilibrium says",
           "[accuracy][bending]") {
-  const BendingRun run = bend_slowly({.fracture = {.node_stress = NodeStress::fit, .crack = CrackMode::paper}});
+  const BendingRun run =
+      bend_slowly({.fracture = {.node_stress = NodeStress::fit, .crack = CrackMode::paper}});
   CHECK(run.load == Approx(1).margin(0.1));
   CHECK(run.load == Approx(1.051).margin(0.005));
   CHECK(run.away <= 1);

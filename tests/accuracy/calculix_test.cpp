@@ -126,8 +126,7 @@ TEST_CASE("a held ring under pressure is in equilibrium", "[accuracy][calculix]"
   PressedRing pressed;
   auto& [body, state, scratch, loads] = pressed;
   double push = 0, missing = 0;
-  const std::vector<Vec3> support =
-      support_forces(scratch, state, body.corners, loads);
+  const std::vector<Vec3> support = support_forces(scratch, state, body.corners, loads);
   for (std::size_t v = 0; v < body.rest.size(); ++v) {
     push = std::max(push, loads.force[v].norm());
     if (state.vertices.support[v].is_none()) missing = std::max(missing, support[v].norm());

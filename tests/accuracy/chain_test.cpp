@@ -55,7 +55,8 @@ TEST_CASE("chain: a node that is pulled too weakly holds, and no energy is made"
   double largest_share = 0;
   for (int i = 0; i < 20000; ++i) {
     chain.step();
-    largest_share = std::max(largest_share, chain.tie(1).largest / chain.critical_opening(chain.tie(1)));
+    largest_share =
+        std::max(largest_share, chain.tie(1).largest / chain.critical_opening(chain.tie(1)));
     REQUIRE(chain.tie(1).opening <= chain.tie(1).largest);
     REQUIRE(chain.right(1).along - chain.left(1).along >= -1e-18);
     REQUIRE(sum_of(chain.energy()) == Approx(chain.energy().before).epsilon(1e-11));
@@ -136,7 +137,8 @@ TEST_CASE("chain: rings have nearly Zhou's number of fragments, and as many on t
 
 TEST_CASE("chain: strengths are the same function of place on every mesh", "[accuracy][chain]") {
   const RingStrengths strengths{.places = 50};
-  const std::vector<double> coarse = strengths_of(strengths, 50), fine = strengths_of(strengths, 200);
+  const std::vector<double> coarse = strengths_of(strengths, 50),
+                            fine = strengths_of(strengths, 200);
   for (std::size_t k = 0; k < 50; ++k) {
     CHECK(fine[4 * k] == coarse[k]);
     CHECK(fine[4 * k + 1] == Approx(0.75 * coarse[k] + 0.25 * coarse[(k + 1) % 50]));

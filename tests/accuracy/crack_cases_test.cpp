@@ -34,8 +34,10 @@ TEST_CASE("a penny crack releases 4 (1 - nu^2) sigma^2 a / (pi E) per area when 
   CHECK(row.domain_energy == Approx(row.front_release).epsilon(0.03));
 }
 
-TEST_CASE("of second order the load with toughness is that of the closed form, at an edge and round a penny",
-          "[accuracy][crack]") {
+TEST_CASE(
+    "of second order the load with toughness is that of the closed form, at an edge and round a "
+    "penny",
+    "[accuracy][crack]") {
   const auto rows = edge_cracks({4, 8}, 2);
   for (const CrackAnswer& row : rows) {
     INFO("a/h " << row.cells);

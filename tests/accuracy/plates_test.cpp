@@ -41,8 +41,8 @@ TEST_CASE("a plate's tetrahedra fill it, and its lines are edges", "[accuracy][p
           below = below || at(k).y() < 0.025 - 1e-9;
           if (std::abs(at(k).y() - 0.025) < 1e-12) on_line.insert(at(k).x());
         }
-        REQUIRE_FALSE((above && below && at(0).x() < 0.05 && at(1).x() < 0.05 &&
-                       at(2).x() < 0.05 && at(3).x() < 0.05));
+        REQUIRE_FALSE((above && below && at(0).x() < 0.05 && at(1).x() < 0.05 && at(2).x() < 0.05 &&
+                       at(3).x() < 0.05));
       }
       CHECK(volume == Approx(0.1 * 0.05 * 0.008).epsilon(1e-12));
       CHECK(on_line.size() == 11);
@@ -101,8 +101,8 @@ TEST_CASE("tips, forks, angles and speeds are what they are by hand", "[accuracy
   std::vector<CrackTrace> steep;
   for (int k = 1; k < 20; ++k) {
     const double turn = 110 * std::numbers::pi / 180;
-    steep.push_back(released_at(0.05 + 0.001 * k * std::cos(turn),
-                                0.02 + 0.001 * k * std::sin(turn)));
+    steep.push_back(
+        released_at(0.05 + 0.001 * k * std::cos(turn), 0.02 + 0.001 * k * std::sin(turn)));
   }
   CHECK(crack_angle(steep, plate, 0, 1) == Approx(110));
   std::vector<TipPlace> history;

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "mechanics/integrators/component_step.hpp"
 #include "mechanics/baselines/verlet.hpp"
+#include "mechanics/integrators/component_step.hpp"
 #include "tests/support/frequency.hpp"
 
 using namespace sunder;

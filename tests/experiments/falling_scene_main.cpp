@@ -15,8 +15,8 @@ namespace {
 void print_row(const Scene& scene) {
   const FallOutcome o = run_fall(scene);
   std::printf("%s,%g,%.6g,%zu,%zu,%.4f,%.2g,%zu\n", scene.impact.window ? "yes" : "no",
-              scene.integrator.time_step, o.first_fan, o.fans, o.pieces,
-              o.largest_share, o.deepest, o.sub_steps);
+              scene.integrator.time_step, o.first_fan, o.fans, o.pieces, o.largest_share, o.deepest,
+              o.sub_steps);
   std::fflush(stdout);
 }
 

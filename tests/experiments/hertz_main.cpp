@@ -11,9 +11,9 @@ namespace {
 
 void row(const HertzImpact& impact) {
   const HertzOutcome o = run_hertz(impact);
-  std::printf("%d,%g,%g,%g,%zu,%.2f,%.3f,%.3f,%.3f,%.3f,%.3f,%.3f\n", impact.cells,
-              impact.smallest, impact.speed, impact.poisson_ratio, o.vertices,
-              o.radius_cells, o.contact_time, o.force, o.radius, o.law, o.pressure, o.rebound);
+  std::printf("%d,%g,%g,%g,%zu,%.2f,%.3f,%.3f,%.3f,%.3f,%.3f,%.3f\n", impact.cells, impact.smallest,
+              impact.speed, impact.poisson_ratio, o.vertices, o.radius_cells, o.contact_time,
+              o.force, o.radius, o.law, o.pressure, o.rebound);
   std::fflush(stdout);
 }
 

@@ -24,7 +24,8 @@ constexpr const char* usage =
     "       [--strength MPA] [--rate M/S] [--ramp US] [--frame MM] [--step US]\n"
     "       [--until US] [--free] [--csv FILE]\n"
     "Prints the tip of the crack at 50 times: where the released face farthest from the notch is,\n"
-    "its speed by a line through 5 us, and branches. --free: plane stress, the faces of the slab free.";
+    "its speed by a line through 5 us, and branches. --free: plane stress, the faces of the slab "
+    "free.";
 
 struct Job {
   std::string name;
@@ -52,18 +53,30 @@ Job read(int argc, char** argv) {
     if (k + 1 >= argc) throw std::invalid_argument(key + " needs a value");
     const std::string value = argv[++k];
     const double number = std::atof(value.c_str());
-    if (key == "--cells") job.choice.cells = cells_of(value);
-    else if (key == "--csv") job.csv = value;
-    else if (key == "--ramp") job.choice.ramp = 1e-6 * number;
-    else if (key == "--frame") job.choice.frame = 1e-3 * number;
-    else if (!(number > 0)) throw std::invalid_argument(key + " " + value + ": a number above 0");
-    else if (key == "--cell") job.choice.cell = 1e-3 * number;
-    else if (key == "--seed") job.choice.seed = std::uint64_t(number);
-    else if (key == "--strength") job.choice.strength = 1e6 * number;
-    else if (key == "--rate") job.choice.rate = number;
-    else if (key == "--step") job.choice.step = 1e-6 * number;
-    else if (key == "--until") job.until = 1e-6 * number;
-    else throw std::invalid_argument(key + ": no such key");
+    if (key == "--cells")
+      job.choice.cells = cells_of(value);
+    else if (key == "--csv")
+      job.csv = value;
+    else if (key == "--ramp")
+      job.choice.ramp = 1e-6 * number;
+    else if (key == "--frame")
+      job.choice.frame = 1e-3 * number;
+    else if (!(number > 0))
+      throw std::invalid_argument(key + " " + value + ": a number above 0");
+    else if (key == "--cell")
+      job.choice.cell = 1e-3 * number;
+    else if (key == "--seed")
+      job.choice.seed = std::uint64_t(number);
+    else if (key == "--strength")
+      job.choice.strength = 1e6 * number;
+    else if (key == "--rate")
+      job.choice.rate = number;
+    else if (key == "--step")
+      job.choice.step = 1e-6 * number;
+    else if (key == "--until")
+      job.until = 1e-6 * number;
+    else
+      throw std::invalid_argument(key + ": no such key");
   }
   return job;
 }
@@ -164,7 +177,8 @@ void run(const Job& job) {
   const auto started = std::ranges::find_if(history, [](const TipPlace& t) { return t.reach > 0; });
   const auto forked = std::ranges::find_if(history, [](const TipPlace& t) { return t.fork > 0; });
   std::printf("\n# fastest %.0f m/s", fastest);
-  if (started != history.end()) std::printf("; first released face at %.1f us", 1e6 * started->time);
+  if (started != history.end())
+    std::printf("; first released face at %.1f us", 1e6 * started->time);
   if (forked != history.end()) {
     // Arms are distinguished once they are 2.5 cells from each other: later than the tip was there.
     const auto at_fork =
@@ -173,17 +187,19 @@ void run(const Job& job) {
     for (auto at = history.begin(); at != at_fork; ++at) {
       before = std::max(before, speeds[std::size_t(at - history.begin())]);
     }
-    std::printf("; first fork at %.1f us, arms apart %.1f mm from the notch, where the tip was at "
-                "%.1f us, until then %.0f m/s at most",
-                1e6 * forked->time, 1e3 * forked->fork, 1e6 * at_fork->time, before);
+    std::printf(
+        "; first fork at %.1f us, arms apart %.1f mm from the notch, where the tip was at "
+        "%.1f us, until then %.0f m/s at most",
+        1e6 * forked->time, 1e3 * forked->fork, 1e6 * at_fork->time, before);
   }
   const std::vector<CrackTrace> traces = crack_traces(sim, plate);
   record(faces, traces, simulated_time(sim));
   const double reach = history.back().reach;
-  std::printf("; direction %.1f degrees (whole), %.1f (first third)\n# residual of the energy "
-              "ledger over what moved: %.1e; sub-steps %zu, steps stopped short %zu\n",
-              crack_angle(traces, plate, 0, reach), crack_angle(traces, plate, 0, reach / 3),
-              std::abs(residual) / moved, sub_steps, stopped);
+  std::printf(
+      "; direction %.1f degrees (whole), %.1f (first third)\n# residual of the energy "
+      "ledger over what moved: %.1e; sub-steps %zu, steps stopped short %zu\n",
+      crack_angle(traces, plate, 0, reach), crack_angle(traces, plate, 0, reach / 3),
+      std::abs(residual) / moved, sub_steps, stopped);
   if (!job.csv.empty()) write_csv(job.csv, job, plate, faces, simulated_time(sim));
 }
 

@@ -75,8 +75,8 @@ template <class Visit>
 void for_rings(const Plan& plan, const Visit& visit) {
   for (const double spread : plan.spreads) {
     for (const double rate : plan.rates) {
-      visit(RingBurst{
-          .rate = rate, .spread = spread, .fracture_energy = 33, .places = plan.places});
+      visit(
+          RingBurst{.rate = rate, .spread = spread, .fracture_energy = 33, .places = plan.places});
     }
   }
 }
@@ -84,7 +84,8 @@ void for_rings(const Plan& plan, const Visit& visit) {
 /// The program by itself, as its cells and steps shrink.
 void print_chain(const Plan& plan) {
   std::puts(
-      "spread,rate / (1/s),cells,step / (cell / c),viscosity,fragments,open by a tenth,taken,contact,"
+      "spread,rate / (1/s),cells,step / (cell / c),viscosity,fragments,open by a "
+      "tenth,taken,contact,"
       "residual,by Zhou,by Glenn");
   for_rings(plan, [&](const RingBurst& ring) {
     const auto row = [&](int cells, double step, double viscosity) {

@@ -31,10 +31,12 @@ void print_layers(const std::vector<double>& thickness) {
 
 /// Layers through ties, for a rise of one length: they should not grow in number with the cells.
 void print_ties(double step) {
-  std::puts("who,cells,s0 / xi,G_c / (J/m^2),layers,thickness / m,momentum,open by a tenth,residual");
+  std::puts(
+      "who,cells,s0 / xi,G_c / (J/m^2),layers,thickness / m,momentum,open by a tenth,residual");
   for (const double energy : {1.0, 3.0, 10.0}) {
     for (const double peak : {1.5, 2.5, 3.5}) {
-      const Spall pulse{.peak = peak, .step = step, .front_length = 0.05, .fracture_energy = energy};
+      const Spall pulse{
+          .peak = peak, .step = step, .front_length = 0.05, .fracture_energy = energy};
       for (const int cells : {150, 300, 600}) {
         Spall spall = pulse;
         spall.cells = cells;

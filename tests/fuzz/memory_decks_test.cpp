@@ -12,7 +12,8 @@ namespace {
 /// Rows "HEAD N TAIL", numbered from 1.
 std::string numbered(std::size_t n, std::string_view head, std::string_view tail,
                      std::size_t step = 1) {
-  return repeated(n, [&](std::size_t i) { return fmt::format("{}{}{}", head, 1 + i * step, tail); });
+  return repeated(n,
+                  [&](std::size_t i) { return fmt::format("{}{}{}", head, 1 + i * step, tail); });
 }
 
 std::vector<Hostile> hostile_bulk_data() {
@@ -25,7 +26,8 @@ std::vector<Hostile> hostile_bulk_data() {
       {"bdf", "triangles", four + numbered(many, "CTRIA3,", ",1,1,2,3\n")},
       {"bdf", "rods of no property", four + numbered(many, "CROD,", ",,1,2\n") + one},
       {"bdf", "rods of a property each",
-       four + one + repeated(many, [](std::size_t i) { return fmt::format("CROD,{0},{0},1,2\n", i + 1); })},
+       four + one +
+           repeated(many, [](std::size_t i) { return fmt::format("CROD,{0},{0},1,2\n", i + 1); })},
       {"bdf", "tetrahedra of ten points",
        four + numbered(many / 4, "CTETRA,", ",1,1,2,3,4,1,2\n,3,4,1,2\n")},
       {"bdf", "tetrahedra without some midpoints",
@@ -36,7 +38,8 @@ std::vector<Hostile> hostile_bulk_data() {
       {"bdf", "elements that have no like", four + one + numbered(many, "CELAS", ",1\n")},
       {"bdf", "empty cards", four + one + repeated(many, ",\n")},
       {"bdf", "a long word", four + one + std::string(many, 'A')},
-      {"bdf", "a file that includes itself", four + one + repeated(many / 10, "INCLUDE 'fuzz.bdf'\n")},
+      {"bdf", "a file that includes itself",
+       four + one + repeated(many / 10, "INCLUDE 'fuzz.bdf'\n")},
       {"bdf", "many included ends",
        four + one + repeated(many / 10, "INCLUDE 'a.x'\n") + "@@@ .x\n" + four},
   };
@@ -47,8 +50,8 @@ std::string data_set(int number, std::string_view rows) {
 }
 
 std::vector<Hostile> hostile_unv() {
-  const std::string four = data_set(
-      2411, "1 1 1 1\n0 0 0\n2 1 1 1\n1 0 0\n3 1 1 1\n0 1 0\n4 1 1 1\n0 0 1\n");
+  const std::string four =
+      data_set(2411, "1 1 1 1\n0 0 0\n2 1 1 1\n1 0 0\n3 1 1 1\n0 1 0\n4 1 1 1\n0 0 1\n");
   const std::string one = data_set(2412, "1 111 1 1 7 4\n1 2 3 4\n");
   const auto group = [](std::size_t members) {
     return [members](std::size_t i) {
@@ -61,30 +64,37 @@ std::vector<Hostile> hostile_unv() {
   };
   return {
       {"unv", "nodes", data_set(2411, numbered(many, "", " 1\n0 0 0\n")) + one},
-      {"unv", "nodes of scattered numbers", data_set(2411, numbered(many, "", "\n0 0 0\n", 999)) + one},
+      {"unv", "nodes of scattered numbers",
+       data_set(2411, numbered(many, "", "\n0 0 0\n", 999)) + one},
       {"unv", "nodes in one line each", data_set(15, numbered(many, "", " 0 0 0 0 0 0\n")) + one},
       {"unv", "tetrahedra", four + data_set(2412, numbered(many, "", " 111 1 1 7 4\n1 2 3 4\n"))},
       {"unv", "triangles", four + data_set(2412, numbered(many, "", " 91 1 1 1 3\n1 2 3\n"))},
       {"unv", "elements of one node of types that nobody knows",
-       four + data_set(2412, repeated(many, [](std::size_t i) {
-                         return fmt::format("{} {} 0 0 0 1\n1\n", i + 2, 1000 + i);
-                       })) + one},
+       four +
+           data_set(2412, repeated(many,
+                                   [](std::size_t i) {
+                                     return fmt::format("{} {} 0 0 0 1\n1\n", i + 2, 1000 + i);
+                                   })) +
+           one},
       {"unv", "groups of one element", four + one + data_set(2467, repeated(many / 4, group(1)))},
       {"unv", "groups of nothing", four + one + data_set(2467, repeated(many, group(0)))},
       {"unv", "one group of nodes", four + one + data_set(2467, one_group(many, "7 1 0 0\n"))},
       {"unv", "one group of nodes, two numbers a member",
        four + one + data_set(2432, one_group(many, "7 1\n"))},
-      {"unv", "members that are not there", four + one + data_set(2467, one_group(many, "8 9 0 0\n"))},
+      {"unv", "members that are not there",
+       four + one + data_set(2467, one_group(many, "8 9 0 0\n"))},
       {"unv", "data sets of nothing", four + one + repeated(many, "-1\n2411\n-1\n")},
       {"unv", "data sets that nobody knows",
-       four + one + repeated(many, [](std::size_t i) { return fmt::format("-1\n{}\n-1\n", 10 + i); })},
+       four + one +
+           repeated(many, [](std::size_t i) { return fmt::format("-1\n{}\n-1\n", 10 + i); })},
       {"unv", "coordinate systems",
        data_set(2420, "1\npart\n" + repeated(many / 4,
                                              [](std::size_t i) {
                                                return fmt::format(
-                                                   "{} 1 0\n{}\n1 0 0\n0 1 0\n0 0 1\n0 0 0\n", i + 1,
-                                                   std::string(40, 'x'));
-                                             })) + four + one},
+                                                   "{} 1 0\n{}\n1 0 0\n0 1 0\n0 0 1\n0 0 0\n",
+                                                   i + 1, std::string(40, 'x'));
+                                             })) +
+           four + one},
   };
 }
 
@@ -108,17 +118,16 @@ std::vector<Hostile> hostile_vtp() {
   const std::string three =
       "<Points>" + array("NumberOfComponents=\"3\"", "0 0 0 1 0 0 0 1 0") + "</Points>";
   const std::string bytes(3 * many, '\0');
-  const std::string appended =
-      "<AppendedData encoding=\"raw\">_" + raw(static_cast<std::uint32_t>(bytes.size())) + bytes +
-      "</AppendedData>";
+  const std::string appended = "<AppendedData encoding=\"raw\">_" +
+                               raw(static_cast<std::uint32_t>(bytes.size())) + bytes +
+                               "</AppendedData>";
   const std::string in_bytes = "type=\"Int8\" format=\"appended\" offset=\"0\"";
   const auto counts = [](std::string_view name, std::size_t n) {
     return fmt::format("NumberOfPoints=\"3\" NumberOf{}=\"{}\"", name, n);
   };
   const auto one_cell = [](std::string_view name) {
-    return fmt::format(
-        "<{0}>{1}<DataArray type=\"Int64\" Name=\"offsets\">{2}</DataArray></{0}>", name,
-        array("Name=\"connectivity\"", repeated(many, "0 1 2 ")), 3 * many);
+    return fmt::format("<{0}>{1}<DataArray type=\"Int64\" Name=\"offsets\">{2}</DataArray></{0}>",
+                       name, array("Name=\"connectivity\"", repeated(many, "0 1 2 ")), 3 * many);
   };
   const auto cell_data = [](const std::string& column) {
     return "<CellData>" + column + "</CellData>";
@@ -131,9 +140,7 @@ std::vector<Hostile> hostile_vtp() {
             appended)},
       {"vtp", "cells of no points as text",
        poly(counts("Polys", many), three + list("Polys", "", repeated(many, "0 ")))},
-      {"vtp", "a strip of many triangles",
-       poly(counts("Strips", 1),
-            three + one_cell("Strips"))},
+      {"vtp", "a strip of many triangles", poly(counts("Strips", 1), three + one_cell("Strips"))},
       {"vtp", "a line of many edges with a column",
        poly(counts("Lines", 1),
             three + one_cell("Lines") +
@@ -143,9 +150,7 @@ std::vector<Hostile> hostile_vtp() {
             three + one_cell("Strips") +
                 cell_data(array(fmt::format("Name=\"a\" NumberOfComponents=\"{}\"", many),
                                 repeated(many, "1 "))))},
-      {"vtp", "a polygon of many corners",
-       poly(counts("Polys", 1),
-            three + one_cell("Polys"))},
+      {"vtp", "a polygon of many corners", poly(counts("Polys", 1), three + one_cell("Polys"))},
       {"vtp", "columns of one number",
        poly("NumberOfPoints=\"1\"",
             "<Points>" + array("NumberOfComponents=\"3\"", "0 0 0") + "</Points><PointData>" +

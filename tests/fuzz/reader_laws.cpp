@@ -13,9 +13,9 @@
 #include <vector>
 
 #include "topology/io/face_list.hpp"
+#include "topology/io/files/gzip.hpp"
 #include "topology/io/format_traits.hpp"
 #include "topology/io/formats.hpp"
-#include "topology/io/files/gzip.hpp"
 #include "topology/io/mesh_file.hpp"
 #include "topology/io/regions/region_names.hpp"
 #include "topology/io/text/scan.hpp"

@@ -26,9 +26,7 @@ inline Result<SceneFile> read(const nlohmann::json& scene,
   return file;
 }
 
-inline nlohmann::json cube_scene() {
-  return {{"bodies", {{{"mesh", SUNDER_MESHES "/cube.msh"}}}}};
-}
+inline nlohmann::json cube_scene() { return {{"bodies", {{{"mesh", SUNDER_MESHES "/cube.msh"}}}}}; }
 
 inline std::multiset<std::string> codes(const std::vector<Finding>& findings) {
   std::multiset<std::string> all;

@@ -55,8 +55,8 @@ std::vector<CellPart> face_parts(int p) {
   const int ab = 4 + edge_between(a, b), bc = 4 + edge_between(b, c), ca = 4 + edge_between(c, a);
   std::vector<CellPart> parts;
   // The face's darts run so that its normal points out: with the corner in front they are negative.
-  for (const auto& [u, v, w] : std::array<std::array<int, 3>, 4>{
-           {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}}}) {
+  for (const auto& [u, v, w] :
+       std::array<std::array<int, 3>, 4>{{{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}}}) {
     parts.push_back({u, w, v, p});
   }
   return parts;

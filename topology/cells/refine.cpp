@@ -25,8 +25,8 @@ void note_origins(std::vector<Origin>& origins, const CellEdit& edit, std::size_
   for (std::size_t i = 0, end = 0; i < edit.cells.size(); i = end) {
     while (end < edit.cells.size() && edit.cells[end].parent == edit.cells[i].parent) ++end;
     const TetId root = origins[edit.cells[i].parent.index()].root;
-    const Origin origin =
-        end - i == 8 ? Origin{divided_red, {}, root, true} : Origin{level, edit.cells[i].parent, root};
+    const Origin origin = end - i == 8 ? Origin{divided_red, {}, root, true}
+                                       : Origin{level, edit.cells[i].parent, root};
     for (std::size_t k = i; k < end; ++k) {
       const std::size_t row = edit.cells[k].tetrahedron.index();
       if (row >= origins.size()) origins.resize(row + 1);
@@ -40,7 +40,8 @@ class Levels {
   Levels(VolumeMap& map, std::size_t levels, const WantedCells& wanted, std::size_t most)
       : map_(map), wanted_(wanted), most_(most), forced_(levels) {
     origins_.emplace_back();
-    for (std::size_t t = 0; t < map.tetrahedra(); ++t) origins_[0].push_back({divided_red, {}, TetId{t}});
+    for (std::size_t t = 0; t < map.tetrahedra(); ++t)
+      origins_[0].push_back({divided_red, {}, TetId{t}});
     while (done_.size() < levels && make_next()) {
     }
   }

@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "topology/base/finding.hpp"
+#include "topology/io/read_options.hpp"
 #include "topology/io/skipped.hpp"
 #include "topology/io/text/number_source.hpp"
-#include "topology/io/read_options.hpp"
 #include "topology/mesh/file_mesh.hpp"
 
 namespace sunder::io {

@@ -35,7 +35,7 @@ bool read_triple(std::string_view line, std::array<std::uint32_t, 3>& points) {
 }  // namespace
 
 Result<std::vector<std::array<std::uint32_t, 3>>> read_face_list(std::string_view bytes,
-                                                                  std::string_view name) {
+                                                                 std::string_view name) {
   std::vector<std::array<std::uint32_t, 3>> triples;
   std::size_t number = 0;
   while (!bytes.empty()) {

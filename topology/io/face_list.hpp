@@ -18,6 +18,6 @@ Result<std::vector<std::array<std::uint32_t, 3>>> read_face_list(const std::file
 
 /// The same for a file's bytes already in memory; `name` stands in the findings.
 Result<std::vector<std::array<std::uint32_t, 3>>> read_face_list(std::string_view bytes,
-                                                                  std::string_view name);
+                                                                 std::string_view name);
 
 }  // namespace sunder

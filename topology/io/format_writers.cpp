@@ -29,7 +29,8 @@ int msh_version(std::string_view version) {
   return version == "2.2" ? 22 : version == "4.0" ? 40 : 41;
 }
 
-std::optional<Finding> write_stl(const std::filesystem::path& path, const FileMesh& mesh, const FileEncoding& how) {
+std::optional<Finding> write_stl(const std::filesystem::path& path, const FileMesh& mesh,
+                                 const FileEncoding& how) {
   const std::size_t too_big = how.is_binary() ? io::stl_points(mesh, true).too_big : 0;
   if (too_big == 0) return write_file(path, io::write_stl(mesh, how.is_binary()));
   return Finding{.code = "number_out_of_range",
@@ -41,8 +42,8 @@ std::optional<Finding> write_stl(const std::filesystem::path& path, const FileMe
 
 }  // namespace
 
-std::optional<Finding> io::write_format(MeshFormat format, const std::filesystem::path& path, const FileMesh& mesh,
-                                        const FileEncoding& how) {
+std::optional<Finding> io::write_format(MeshFormat format, const std::filesystem::path& path,
+                                        const FileMesh& mesh, const FileEncoding& how) {
   const bool is_binary = how.is_binary();
   switch (format) {
     case MeshFormat::msh:

@@ -14,12 +14,12 @@
 #include "topology/io/msh/msh.hpp"
 #include "topology/io/nastran/nastran.hpp"
 #include "topology/io/ovm/ovm.hpp"
-#include "topology/io/text/scan.hpp"
 #include "topology/io/surface/obj.hpp"
 #include "topology/io/surface/off.hpp"
 #include "topology/io/surface/ply.hpp"
 #include "topology/io/surface/stl.hpp"
 #include "topology/io/tetgen/tetgen.hpp"
+#include "topology/io/text/scan.hpp"
 #include "topology/io/unv/unv.hpp"
 #include "topology/io/vtk/vtk.hpp"
 #include "topology/io/vtu/vtu_read.hpp"
@@ -93,10 +93,10 @@ constexpr FormatTraits traits[] = {
      .extensions = medit_names,
      .binary_extension = ".meshb",
      .encodings = text_first,
-     .cells = curved_simplices | kind_set({CellKind::quad4, CellKind::quad9, CellKind::hexahedron8,
-                                           CellKind::hexahedron27, CellKind::prism6,
-                                           CellKind::prism18, CellKind::pyramid5,
-                                           CellKind::pyramid14}),
+     .cells =
+         curved_simplices |
+         kind_set({CellKind::quad4, CellKind::quad9, CellKind::hexahedron8, CellKind::hexahedron27,
+                   CellKind::prism6, CellKind::prism18, CellKind::pyramid5, CellKind::pyramid14}),
      .holds_point_regions = true},
     vtk_traits(MeshFormat::vtu, "VTU", vtu_names, vtu_encodings, vtk_kinds),
     vtk_traits(MeshFormat::vtk, "VTK", vtk_names, binary_first, vtk_kinds),

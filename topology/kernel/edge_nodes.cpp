@@ -93,10 +93,11 @@ void join_edge_nodes(EdgeNodeRows& nodes, VolumeMap& map, HalfFaceId a, HalfFace
 std::vector<Finding> check(const EdgeNodeRows& nodes, const VolumeMap& map) {
   std::vector<Finding> findings;
   const auto damaged = [&](std::string text, std::size_t row) {
-    findings.push_back({.code = "damaged_edge_rows",
-                        .ids = {static_cast<std::int64_t>(row)},
-                        .text = std::move(text),
-                        .remedy = "report it with what led to it: no call of Sunder leaves this behind"});
+    findings.push_back(
+        {.code = "damaged_edge_rows",
+         .ids = {static_cast<std::int64_t>(row)},
+         .text = std::move(text),
+         .remedy = "report it with what led to it: no call of Sunder leaves this behind"});
   };
   if (nodes.size() != map.tetrahedra()) {
     damaged("there is not one row of edges a tetrahedron", nodes.size());

@@ -106,9 +106,8 @@ Counts count_cells(const K& map) {
   counts.edges = 6 * n;
   for (std::size_t t = 0; t < n; ++t) {
     const auto v = map.corners(TetId{t});
-    counts.volume += detail::six_volumes(map.point(v[0]), map.point(v[1]), map.point(v[2]),
-                                         map.point(v[3])) /
-                     6;
+    counts.volume +=
+        detail::six_volumes(map.point(v[0]), map.point(v[1]), map.point(v[2]), map.point(v[3])) / 6;
     for (int p = 0; p < 4; ++p) {
       const HalfFaceId f = half_face(TetId{t}, p);
       auto d = detail::first_dart(map, f);

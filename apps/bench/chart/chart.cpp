@@ -282,9 +282,8 @@ void exact_reference(ChartWork& work) {
 
 std::string label_of(const ChartWork& work, const ChartSetting& s) {
   return fmt::format("{}{}{}, step {:.4g} s, {} tetrahedra", chart_methods()[s.method].name,
-                     s.has_window ? ", window" : "",
-                     s.variant.empty() ? "" : ", " + s.variant, s.step,
-                     work.chart.tetrahedra[s.mesh]);
+                     s.has_window ? ", window" : "", s.variant.empty() ? "" : ", " + s.variant,
+                     s.step, work.chart.tetrahedra[s.mesh]);
 }
 
 /// Every point of the grid; a series that took too long is not tried at shorter steps.

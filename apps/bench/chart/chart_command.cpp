@@ -132,9 +132,8 @@ ExitCode run_chart_command(ChartArguments arguments) {
     arguments.folder =
         std::filesystem::path("out") / fmt::format("chart_{}", arguments.scene.stem().string());
   }
-  const Result<Chart> chart = make_chart(arguments, [&](const std::string& what) {
-    remark(what + "\n", arguments);
-  });
+  const Result<Chart> chart =
+      make_chart(arguments, [&](const std::string& what) { remark(what + "\n", arguments); });
   tell_beside(chart.findings, arguments);
   if (!chart) return ExitCode::bad_input;
   return write_chart(arguments, *chart);

@@ -52,7 +52,8 @@ Eigen::Vector4d weights(const MechanicsState& state, const Corners& corners, Tet
 /// Largest size of an eigenvalue over all node stresses, Pa.
 double largest_stress(const Simulation& now) {
   const MechanicsState& m = now.state->mechanics;
-  const std::vector<Mat3> node = node_stress_of(now.state->cells, m, now.scene.fracture.node_stress);
+  const std::vector<Mat3> node =
+      node_stress_of(now.state->cells, m, now.scene.fracture.node_stress);
   double largest = 0;
   for (const Mat3& sigma : node) {
     // The largest size of an eigenvalue is no larger than the norm: most need no eigenvalues.
@@ -108,7 +109,8 @@ Measure::Measure(const Probe& probe, const Simulation& start) : probe_(probe) {
   double best = -std::numeric_limits<double>::infinity();
   const BodyRows& body = start.bodies.front();
   for (std::size_t t = body.first_tetrahedron; t < body.end_tetrahedron; ++t) {
-    const Eigen::Vector4d w = weights(m, start.state->cells.map.corners()[t], TetId{t}, probe.point);
+    const Eigen::Vector4d w =
+        weights(m, start.state->cells.map.corners()[t], TetId{t}, probe.point);
     if (w.minCoeff() > best) {
       best = w.minCoeff();
       holder_ = TetId{t};

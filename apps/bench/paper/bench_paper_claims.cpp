@@ -79,7 +79,8 @@ std::vector<Question> questions_of_steps() {
        },
        whole_number, [](double r) { return r <= 2; }},
       {"- and comes once: later steps above nine tenths of it",
-       [](const View& v) { return v("later_near_max"); }, whole_number, [](double r) { return r == 0; }},
+       [](const View& v) { return v("later_near_max"); }, whole_number,
+       [](double r) { return r == 0; }},
   };
 }
 

@@ -14,8 +14,8 @@ struct PackedFile {
   bool executable = false;
 };
 
-/// A POSIX ustar archive (IEEE Std 1003.1, pax). Owners and times are all 0: the same files give the
-/// same bytes. Throws std::length_error for a name that is too long.
+/// A POSIX ustar archive (IEEE Std 1003.1, pax). Owners and times are all 0: the same files give
+/// the same bytes. Throws std::length_error for a name that is too long.
 std::string tar_of(std::span<const PackedFile> files);
 
 }  // namespace sunder

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The pieces at the end of a run with the way that each came: their rigid references, frame by frame.
+// The pieces at the end of a run with the way that each came: their rigid references, frame by
+// frame.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -15,9 +16,9 @@ namespace sunder {
 /// A piece at the end of a run: its surface where it was in the first frame, about the mean of its
 /// vertices there, and its motion since. Before it came off, it moved with its parent piece.
 struct PieceTrack {
-  std::string name;           ///< "piece_7"
+  std::string name;  ///< "piece_7"
   std::int64_t component = 0;
-  bool is_obstacle = false;   ///< then there is no component
+  bool is_obstacle = false;  ///< then there is no component
   std::vector<Vec3> vertex;  ///< m
   /// Rows of `vertex`, counterclockwise from outside: the body's own surface, and that of cracks.
   std::vector<std::array<std::uint32_t, 3>> outer, crack;
@@ -27,8 +28,8 @@ struct PieceTrack {
   double departure = 0;  ///< m, farthest a reference vertex lies from its track
 };
 
-/// Tracks of all pieces, by component. Faces between tetrahedra of one piece that cracks have opened
-/// are part of its surface. O(frames x tetrahedra).
+/// Tracks of all pieces, by component. Faces between tetrahedra of one piece that cracks have
+/// opened are part of its surface. O(frames x tetrahedra).
 std::vector<PieceTrack> piece_tracks(const std::vector<ResultFrame>& frames);
 
 }  // namespace sunder

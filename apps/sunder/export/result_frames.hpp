@@ -17,10 +17,10 @@ namespace sunder {
 /// One VTU frame. Tetrahedra keep their rows and the order of their corners through a run; vertices
 /// that split are appended.
 struct ResultFrame {
-  double time = 0;               ///< s
-  std::filesystem::path file;    ///< it was read from
-  std::vector<Vec3> position;    ///< m, a vertex
-  std::vector<Vec3> reference;   ///< m, a vertex: where its piece's rigid reference has it
+  double time = 0;              ///< s
+  std::filesystem::path file;   ///< it was read from
+  std::vector<Vec3> position;   ///< m, a vertex
+  std::vector<Vec3> reference;  ///< m, a vertex: where its piece's rigid reference has it
   std::vector<std::array<std::uint32_t, 4>> tetrahedra;
   std::vector<std::int64_t> component;  ///< a tetrahedron
   std::vector<Obstacle> obstacles;      ///< where they are; none where the report has none
@@ -28,8 +28,8 @@ struct ResultFrame {
 
 /// The data of a piece in fragments.csv.
 struct ResultPiece {
-  double mass = 0;               ///< kg
-  std::int64_t birth_step = 0;   ///< in which it came off; 0: the start
+  double mass = 0;              ///< kg
+  std::int64_t birth_step = 0;  ///< in which it came off; 0: the start
 };
 
 struct RunResult {

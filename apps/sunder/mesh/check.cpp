@@ -144,7 +144,8 @@ bool is_surface(const FileMesh& mesh) {
   });
 }
 
-ExitCode report_surface(const CheckArguments& arguments, CheckReport& report, const FileMesh& mesh) {
+ExitCode report_surface(const CheckArguments& arguments, CheckReport& report,
+                        const FileMesh& mesh) {
   report.surface = check_surface(mesh);
   report.is_read = true;
   report.points = mesh.points.size();

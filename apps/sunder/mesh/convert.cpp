@@ -147,8 +147,8 @@ void tell_split(const SplitCells& report, std::vector<Finding>& findings) {
                   counted(report.empty_parts, "part"), for_count(report.empty_parts, "is", "are")));
 }
 
-/// Makes cells linear, simplices, or of second order, as was asked for. Points are merged before: parts of
-/// cells fit together where these have the same points.
+/// Makes cells linear, simplices, or of second order, as was asked for. Points are merged before:
+/// parts of cells fit together where these have the same points.
 void simplify(FileMesh& mesh, ConvertArguments& arguments, std::vector<Finding>& findings) {
   if (arguments.order == 0 && !arguments.split) return;
   if (arguments.repairs.merge_points) {
@@ -292,8 +292,8 @@ void print_conversion(const ConvertArguments& arguments, const Conversion& resul
   tell_beside(result.findings, arguments);
   const std::string words =
       result.is_written
-          ? fmt::format("{}: written from {}{}\n", arguments.out.string(),
-                        counts_text(result.mesh), result.has_losses ? "" : "; nothing is lost")
+          ? fmt::format("{}: written from {}{}\n", arguments.out.string(), counts_text(result.mesh),
+                        result.has_losses ? "" : "; nothing is lost")
           : "nothing is written\n";
   // Where the mesh itself goes to standard output, words about it go to standard error.
   arguments.out == "-" ? remark(words, arguments) : print("{}", words);

@@ -74,7 +74,8 @@ Result<CutFaces> exact_faces(const CuttingPlane& plane, double tolerance, Divide
   json["nearest_to_an_end"] = nearest;
   if (nearest < 1e-6) {
     lines += fmt::format(
-        "an edge was divided at {:.1e} of its length: --tolerance 1e-6 takes its end for a point in the "
+        "an edge was divided at {:.1e} of its length: --tolerance 1e-6 takes its end for a point "
+        "in the "
         "plane\n",
         nearest);
   }

@@ -20,7 +20,6 @@
 namespace sunder {
 namespace {
 
-
 MeshState state_of(const FileMesh& mesh) {
   return {{mesh.points.size(), mesh.edges.corners.size(), mesh.triangles.corners.size(),
            mesh.tetrahedra.corners.size()},

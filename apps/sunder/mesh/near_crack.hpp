@@ -20,8 +20,8 @@ struct CrackFaces {
 /// `within`: how far from a face something may be and still be found near it, m. O(n log n).
 CrackFaces crack_faces(const VolumeMap& map, double within);
 
-/// Whether a corner of the tetrahedron is nearer to a crack than `within`, the distance the faces were
-/// gathered for; a corner on the crack always is.
+/// Whether a corner of the tetrahedron is nearer to a crack than `within`, the distance the faces
+/// were gathered for; a corner on the crack always is.
 bool is_near(const CrackFaces& crack, const VolumeMap& map, TetId t, double within);
 
 }  // namespace sunder

@@ -49,9 +49,9 @@ struct RefineArguments : DivideArguments {
 
 /// Whether the tetrahedron comes nearer to the plane than `within`, m, or meets it.
 WantedCells near_plane(const PlaneThrough& plane, double within) {
-  const double length = std::sqrt(plane.normal[0] * plane.normal[0] +
-                                  plane.normal[1] * plane.normal[1] +
-                                  plane.normal[2] * plane.normal[2]);
+  const double length =
+      std::sqrt(plane.normal[0] * plane.normal[0] + plane.normal[1] * plane.normal[1] +
+                plane.normal[2] * plane.normal[2]);
   return [=](const VolumeMap& map, TetId t, TetId) {
     double low = INFINITY, high = -INFINITY;
     for (const VertexId v : map.corners(t)) {
@@ -65,7 +65,8 @@ WantedCells near_plane(const PlaneThrough& plane, double within) {
 }
 
 /// The choices of the arguments; none chooses all.
-Result<std::vector<WantedCells>> choices(const RefineArguments& arguments, const DividedMesh& body) {
+Result<std::vector<WantedCells>> choices(const RefineArguments& arguments,
+                                         const DividedMesh& body) {
   std::vector<WantedCells> wanted;
   if (!arguments.plane.empty()) {
     const std::vector<double> x = *numbers_of(arguments.plane, 4);
@@ -86,8 +87,7 @@ Result<std::vector<WantedCells>> choices(const RefineArguments& arguments, const
                          "open a crack first, for example sunder convert FILE NEW --crack-plane "
                          "1,0,0,D, or leave --crack out"};
     }
-    wanted.emplace_back([crack, within = arguments.within](const VolumeMap& map, TetId t,
-                                                                   TetId) {
+    wanted.emplace_back([crack, within = arguments.within](const VolumeMap& map, TetId t, TetId) {
       return is_near(*crack, map, t, within);
     });
   }
@@ -115,9 +115,8 @@ void tell(const std::vector<RefinedLevel>& levels, const DividedFile& file, std:
     lines += fmt::format("level {}: {} into eight, {} divided to fit, {}\n", i + 1,
                          counted_tetrahedra(level.red), level.green,
                          counted(level.edit.vertices.size(), "new vertex", "new vertices"));
-    json["levels"].push_back({{"red", level.red},
-                              {"green", level.green},
-                              {"new_vertices", level.edit.vertices.size()}});
+    json["levels"].push_back(
+        {{"red", level.red}, {"green", level.green}, {"new_vertices", level.edit.vertices.size()}});
   }
   if (file.numbers_added > 0) {
     lines += fmt::format("{} behind the file's highest for new points and cells\n",
@@ -151,12 +150,12 @@ ExitCode run_refine(const RefineArguments& arguments) {
   }
   const std::vector<RefinedLevel> levels =
       refine(body->map, arguments.levels, [&](const VolumeMap& map, TetId t, TetId of) {
-        return wanted->empty() ||
-               std::ranges::any_of(*wanted, [&](const auto& is_wanted) {
+        return wanted->empty() || std::ranges::any_of(*wanted, [&](const auto& is_wanted) {
                  return is_wanted(map, t, of);
                });
       });
-  if (levels.size() < arguments.levels) return refuse(arguments, {too_many(levels.size())}, ExitCode::usage);
+  if (levels.size() < arguments.levels)
+    return refuse(arguments, {too_many(levels.size())}, ExitCode::usage);
   if (std::ranges::none_of(levels, [](const RefinedLevel& l) { return l.red > 0; })) {
     return refuse(
         arguments,

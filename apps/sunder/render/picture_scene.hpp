@@ -30,8 +30,8 @@ struct RunView {
   render::Bounds extent;
 };
 
-/// Skin and crack faces of the shape asked for (of `both` the deformed mesh as wires over the filled
-/// reference), obstacles. `extent`: that of all pictures of the run. O(|V| + |T|).
+/// Skin and crack faces of the shape asked for (of `both` the deformed mesh as wires over the
+/// filled reference), obstacles. `extent`: that of all pictures of the run. O(|V| + |T|).
 render::FrameScene picture_scene(const PictureBodies& bodies, std::span<const Obstacle> obstacles,
                                  ShownShape show, const render::Bounds& extent);
 

@@ -17,8 +17,8 @@ struct FramePicture {
 };
 
 /// Shows the faces that `boundary_of(first)` does not have as those of cracks. `explode`: each
-/// piece, away from the mean of all, by so many times its distance from it; none moves down, against
-/// `up` (unit). O(|T| log |T|).
+/// piece, away from the mean of all, by so many times its distance from it; none moves down,
+/// against `up` (unit). O(|T| log |T|).
 FramePicture frame_picture(const ResultFrame& frame, const std::vector<char>& first_boundary,
                            double explode, const Vec3& up);
 

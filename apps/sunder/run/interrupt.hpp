@@ -18,9 +18,9 @@ inline std::atomic<bool> start_is_kept = false;
 inline std::atomic<bool> writes_files = false;
 
 /// Resets these four, and watches for signals. SIGINT, SIGTERM and SIGHUP end the program at once
-/// while nothing is written yet. Then they end the run after the step at hand, and that step as soon
-/// as it can: at once where the run can go on from the step's start, else after a time in which most
-/// steps end. A later signal ends the program at once.
+/// while nothing is written yet. Then they end the run after the step at hand, and that step as
+/// soon as it can: at once where the run can go on from the step's start, else after a time in
+/// which most steps end. A later signal ends the program at once.
 void watch_for_interrupt();
 
 }  // namespace sunder

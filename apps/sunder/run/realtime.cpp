@@ -23,8 +23,8 @@ void FrameClock::keep_up(double time) {
   // Half a rounding of the step that ends a frame must not put it off by one.
   if (time < next_ - 1e-9) return;
   while (time >= next_ - 1e-9) next_ += frame_time;
-  const auto due = start_ + std::chrono::duration_cast<Clock::duration>(
-                                std::chrono::duration<double>(time));
+  const auto due =
+      start_ + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(time));
   reached_ = time;
   const auto now = Clock::now();
   frame_ms_.push_back(std::chrono::duration<double, std::milli>(now - frame_start_).count());
@@ -41,7 +41,8 @@ nlohmann::ordered_json FrameClock::report() const {
   std::sort(ms.begin(), ms.end());
   const auto at = [&](double share) {
     if (ms.empty()) return 0.0;
-    return ms[std::min(ms.size() - 1, static_cast<std::size_t>(share * static_cast<double>(ms.size())))];
+    return ms[std::min(ms.size() - 1,
+                       static_cast<std::size_t>(share * static_cast<double>(ms.size())))];
   };
   const auto late = std::ranges::count_if(ms, [](double m) { return m > 1000 * frame_time; });
   return {{"frames", ms.size()},

@@ -74,8 +74,9 @@ ordered_json extreme_json(const Extreme& e) {
 ordered_json body_json(const BodyEquilibrium& body) {
   ordered_json supports = ordered_json::array();
   for (const SupportReaction& s : body.supports) {
-    supports.push_back(
-        {{"vertices", s.vertices}, {"force", components_json(s.force)}, {"moment", components_json(s.moment)}});
+    supports.push_back({{"vertices", s.vertices},
+                        {"force", components_json(s.force)},
+                        {"moment", components_json(s.moment)}});
   }
   return {{"name", body.name},
           {"vertices", body.vertices},

@@ -27,7 +27,7 @@ struct LoadedBody {
 
 std::vector<Vec3> fully_raised(const Simulation& sim) {
   return node_loads(sim.state->loads, sim.state->mechanics,
-                       std::numeric_limits<double>::infinity());
+                    std::numeric_limits<double>::infinity());
 }
 
 /// Adds its release to an answer. Gives the errors, or nothing when it has it.
@@ -93,9 +93,9 @@ Result<std::vector<FanCandidate>> fan_candidates(Simulation& sim, std::span<cons
         .share = tension.value / cells.strength[v]};
     result.findings = add_release(candidate.fan, {sim, force}, VertexId{v}, plane.faces);
     if (!result.findings.empty()) return result;
-    candidate.front =
-        tip_energy(cells, m.elements,
-                   {m.vertices.displacement, m.elements.stress, m.elements.corner_stress}, VertexId{v});
+    candidate.front = tip_energy(
+        cells, m.elements, {m.vertices.displacement, m.elements.stress, m.elements.corner_stress},
+        VertexId{v});
     candidates.push_back(candidate);
   }
   std::ranges::stable_sort(candidates, std::greater<>(),

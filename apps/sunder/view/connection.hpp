@@ -85,8 +85,8 @@ class Connections {
   /// Before the socket is closed: another may get its number.
   void leave(Entry entry);
   /// One more connection came, and there can be `most` threads. Those beyond are dropped: their
-  /// reading and writing end, and their threads then leave. Where too few are open yet, the rest are
-  /// dropped as they enter or end their work.
+  /// reading and writing end, and their threads then leave. Where too few are open yet, the rest
+  /// are dropped as they enter or end their work.
   void arrive(std::size_t most);
   void drop_all();
 

@@ -35,8 +35,8 @@ void note_break_energies(std::vector<double>& energy, const MechanicsState& m, c
   for (std::size_t v = 0; v < m.vertices.size(); ++v) {
     if (star[v] < 2) continue;
     const std::size_t c = m.vertices.component[v].index();
-    // Of second order a corner has m/36 of a tetrahedron, and reads four times the root mean square of
-    // a linear field where that is least.
+    // Of second order a corner has m/36 of a tetrahedron, and reads four times the root mean square
+    // of a linear field where that is least.
     const bool second = is_second_order(m.elements, m.components[c].tetrahedra.front());
     const double volume = (second ? 36 : 4) * m.vertices.mass[v] / density[c];
     const double part = second ? 1.0 / 16 : share;

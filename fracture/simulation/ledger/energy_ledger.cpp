@@ -54,8 +54,8 @@ double deformation_loss(const AdoptedPart& part, const Component& component) {
   const PartStart& before = part.before;
   const VertexColumns& v = m.vertices;
   DeformationStep step{{before.displacement, before.rate, before.acceleration},
-                             {v.displacement, v.displacement_rate, v.displacement_acceleration},
-                             component.strain_change.difference};
+                       {v.displacement, v.displacement_rate, v.displacement_acceleration},
+                       component.strain_change.difference};
   if (component.partly_held) {
     const Vec3 carried = input.settings.time_step * component.frame_velocity;
     step.shift = component.orientation.conjugate() *
@@ -76,10 +76,9 @@ double frame_loss(const AdoptedPart& part, const Component& component) {
   const Vec3 change = component.momentum - before.momentum[row];
   // A rigid body takes its impulses in the orientation of the start, and then turns freely.
   const Eigen::Quaterniond& R = component.rigid ? before.orientation[row] : component.orientation;
-  const Vec3 turn =
-      R.conjugate() * (component.angular_momentum - before.angular_momentum[row]);
-  return 0.5 * (change.squaredNorm() / component.mass +
-                turn.dot(solve3(component.rest_inertia, turn)));
+  const Vec3 turn = R.conjugate() * (component.angular_momentum - before.angular_momentum[row]);
+  return 0.5 *
+         (change.squaredNorm() / component.mass + turn.dot(solve3(component.rest_inertia, turn)));
 }
 
 void add_losses(EnergyLedger& ledger, const AdoptedPart& part) {
@@ -89,8 +88,8 @@ void add_losses(EnergyLedger& ledger, const AdoptedPart& part) {
   });
 }
 
-/// Way of an obstacle's matter that is at `place` (m) as the part begins; spheres as if they did not
-/// turn.
+/// Way of an obstacle's matter that is at `place` (m) as the part begins; spheres as if they did
+/// not turn.
 Vec3 way_of_obstacle(const AdoptedPart& part, std::uint32_t row, const Vec3& place) {
   const Obstacle& obstacle = part.state.obstacles[row];
   if (!obstacle.mass || is_sphere(obstacle)) {
@@ -135,13 +134,11 @@ Vec3 way_of_other(const AdoptedPart& part, const ContactPoint& contact) {
   const ComponentId id = part.state.mechanics.elements.component[contact.tetrahedron.index()];
   const Component& component = part.state.mechanics.components[id.index()];
   if (takes_blows(component)) return way_after_blow(part, component, place);
-  const TouchedNodes touched =
-      touched_nodes(contact, part.state.mechanics, part.input.corners);
+  const TouchedNodes touched = touched_nodes(contact, part.state.mechanics, part.input.corners);
   Vec3 way = Vec3::Zero();
   for (std::size_t i = 0; i < touched.count; ++i) {
     const std::size_t v = touched.row[i].index();
-    way += touched.share[i] *
-           (part.state.mechanics.vertices.position[v] - part.before.position[v]);
+    way += touched.share[i] * (part.state.mechanics.vertices.position[v] - part.before.position[v]);
   }
   if (component.rigid) return way;
   const Vec3 lever = lever_of(touched, place, part.before.position);
@@ -154,9 +151,8 @@ void add_contact_work(EnergyLedger& ledger, const AdoptedPart& part) {
   const double h = part.input.settings.time_step;
   for (const ContactPoint& c : part.result.contacts) {
     const Vec3 other = way_of_other(part, c);
-    const Vec3 way =
-        c.is_body_a() ? way_of_body_a(part, c)
-                      : way_of_obstacle(part, c.ball, start_of_side_a(part, c));
+    const Vec3 way = c.is_body_a() ? way_of_body_a(part, c)
+                                   : way_of_obstacle(part, c.ball, start_of_side_a(part, c));
     const Vec3 force = c.impulse / h;
     if (c.is_body_a()) ledger.contact += force.dot(way);
     if (c.is_body_b()) ledger.contact -= force.dot(other);
@@ -300,9 +296,12 @@ void close_ledger(StepReport& report, double kinetic, double kinetic_now) {
   EnergyLedger& ledger = report.energy;
   ledger.kinetic = kinetic_now - kinetic;
   const double in[] = {ledger.gravity, ledger.loads, ledger.contact, ledger.supports};
-  const double out[] = {ledger.kinetic,   ledger.strain,
-                        ledger.cracks,    ledger.numerical,
-                        report.status.damping_work, report.energy_released};
+  const double out[] = {ledger.kinetic,
+                        ledger.strain,
+                        ledger.cracks,
+                        ledger.numerical,
+                        report.status.damping_work,
+                        report.energy_released};
   for (const double work_in : in) {
     ledger.residual += work_in;
     ledger.moved += std::abs(work_in);

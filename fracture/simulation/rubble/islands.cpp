@@ -8,8 +8,8 @@
 
 #include "fracture/simulation/simulation_state.hpp"
 #include "mechanics/contact/impact/impact_energy.hpp"
-#include "mechanics/contact/shapes/obstacle_geometry.hpp"
 #include "mechanics/contact/shapes/box_pairs.hpp"
+#include "mechanics/contact/shapes/obstacle_geometry.hpp"
 #include "topology/base/union_find.hpp"
 
 namespace sunder {
@@ -91,10 +91,10 @@ Bounds swept(Bounds box, const Vec3& way, double widen) {
 /// A ball round all that a node can reach in the tick, as a box.
 Bounds bounds_of(const Nodes& nodes, std::size_t node, const Vec3& gravity, double tick) {
   const bool is_ball = nodes.is_ball(node);
-  const Vec3 centre = is_ball ? pose_of(nodes.ball(node).shape).centre
-                              : nodes.component(node).centre;
-  const double radius = is_ball ? radius_of(nodes.ball(node).shape)
-                                : 1.1 * nodes.component(node).rest_radius;
+  const Vec3 centre =
+      is_ball ? pose_of(nodes.ball(node).shape).centre : nodes.component(node).centre;
+  const double radius =
+      is_ball ? radius_of(nodes.ball(node).shape) : 1.1 * nodes.component(node).rest_radius;
   const Vec3 way = nodes.sleeps(node)
                        ? Vec3::Zero()
                        : Vec3(haste * tick * (nodes.velocity(node) + tick * gravity));
@@ -113,8 +113,9 @@ void add_surface(Reach& reach, const SimulationState& s, const Component& c, con
     Bounds box{Vec3::Constant(boundless), Vec3::Constant(-boundless)};
     for (VertexId v : corners) {
       const Vec3& x = vertices.position[v.index()];
-      const Vec3 way =
-          sleeps ? Vec3::Zero() : Vec3(haste * tick * (vertices.velocity[v.index()] + tick * gravity));
+      const Vec3 way = sleeps
+                           ? Vec3::Zero()
+                           : Vec3(haste * tick * (vertices.velocity[v.index()] + tick * gravity));
       box.low = box.low.cwiseMin(x).cwiseMin(x + way);
       box.high = box.high.cwiseMax(x).cwiseMax(x + way);
     }
@@ -163,12 +164,12 @@ Reach reach_of(const SimulationState& s, const Nodes& nodes, const std::vector<c
 
 /// All that is in an island.
 struct Island {
-  bool is_rubble = true;   ///< all in it may be
+  bool is_rubble = true;  ///< all in it may be
   bool has_candidate = false, is_awake = false;
   bool is_grounded = false, is_torn = false;
   bool meets_solid = false;
   std::uint32_t members = 0;
-  Vec3 ground = Vec3::Zero();      ///< m/s, of driven obstacles nearby
+  Vec3 ground = Vec3::Zero();  ///< m/s, of driven obstacles nearby
   Vec3 momentum = Vec3::Zero();
   double mass = 0, kinetic = 0, strain = 0, fastest = 0;
 };
@@ -186,12 +187,12 @@ double kinetic_against(const SimulationState& s, const Nodes& nodes, std::size_t
   return energy;
 }
 
-double fastest_of(const SimulationState& s, const Nodes& nodes, std::size_t k, const Vec3& against) {
+double fastest_of(const SimulationState& s, const Nodes& nodes, std::size_t k,
+                  const Vec3& against) {
   if (nodes.sleeps(k)) return against.norm();
   if (nodes.is_ball(k)) {
     const Obstacle& ball = nodes.ball(k);
-    return (ball.velocity - against).norm() +
-           ball.spin.norm() * radius_of(ball.shape);
+    return (ball.velocity - against).norm() + ball.spin.norm() * radius_of(ball.shape);
   }
   double fastest = 0;
   for (VertexId v : nodes.component(k).vertices) {
@@ -294,7 +295,8 @@ RubbleChoice choose_rubble(const Simulation& sim, const RubbleInput& input) {
     if (threshold[k] == boundless || declared[k]) continue;
     const double weight = island.is_grounded ? island.mass * fall * (island.fastest + fall) : 0;
     const double spent = k < s.ladder.rubble.spent.size() ? s.ladder.rubble.spent[k] : 0;
-    const double bound = island.is_torn ? boundless : island.kinetic + island.strain + weight + spent;
+    const double bound =
+        island.is_torn ? boundless : island.kinetic + island.strain + weight + spent;
     if (bound < threshold[k]) continue;
     island.is_rubble = false;
     ++choice.refused;
@@ -321,8 +323,8 @@ RubbleChoice choose_rubble(const Simulation& sim, const RubbleInput& input) {
     // A lone ball stays with the elastic solver. So does a lone breakable piece that is calm
     // already.
     const bool is_alone = island.members == 1 && !island.is_grounded;
-    if (!island.has_candidate || (is_alone && !nodes.is_ball(k) && is_calm(k) && threshold[k] < boundless &&
-                                  !declared[k])) {
+    if (!island.has_candidate ||
+        (is_alone && !nodes.is_ball(k) && is_calm(k) && threshold[k] < boundless && !declared[k])) {
       continue;
     }
     (nodes.is_ball(k) ? choice.ball[k - nodes.components()] : choice.component[k]) = 1;

@@ -14,9 +14,9 @@ namespace sunder {
 /// Input of a choice, rows = ComponentId.
 struct RubbleInput {
   const std::vector<double>& threshold;  ///< J (`note_break_energies`)
-  const std::vector<char>& declared;  ///< `note_unbreakable`
-  Vec3 gravity = Vec3::Zero();  ///< m/s^2
-  double tick = 0;              ///< s
+  const std::vector<char>& declared;     ///< `note_unbreakable`
+  Vec3 gravity = Vec3::Zero();           ///< m/s^2
+  double tick = 0;                       ///< s
 };
 
 /// Result of `choose_rubble`.
@@ -24,9 +24,9 @@ struct RubbleChoice {
   /// Rows = ComponentId, obstacles: in an island of rubble alone, be it asleep.
   std::vector<char> component, ball;
   bool any_awake = false;
-  std::uint32_t refused = 0;   ///< islands with a failed certificate
-  std::uint32_t mixed = 0;     ///< islands of candidates and other bodies
-  std::uint32_t solids = 0;    ///< islands near obstacles that are meshes
+  std::uint32_t refused = 0;  ///< islands with a failed certificate
+  std::uint32_t mixed = 0;    ///< islands of candidates and other bodies
+  std::uint32_t solids = 0;   ///< islands near obstacles that are meshes
 };
 
 /// Groups bodies that could meet in a tick into islands. Those have overlapping boxes of surface

@@ -28,8 +28,7 @@ void write_rows(MechanicsState& state, const Component& c, const RubbleBody& bod
   const Vec3 spin = R * solve3(body.inertia, own);
   for (VertexId v : c.vertices) {
     const std::size_t i = v.index();
-    const Vec3 arm =
-        R * (vertices.rest_position[i] - c.rest_centre + vertices.displacement[i]);
+    const Vec3 arm = R * (vertices.rest_position[i] - c.rest_centre + vertices.displacement[i]);
     vertices.position[i] = c.centre + arm;
     vertices.velocity[i] = velocity + spin.cross(arm);
   }
@@ -157,13 +156,14 @@ void take_ticks(StepReport& report, Simulation& sim, RubbleWorld& world, const R
   settings.threads = sim.threads;
   for (std::uint64_t k = 0; k < clock.ticks; ++k) {
     const double before = kinetic_of(world);
-    const RubbleReport tick = advance_rubble(world.bodies, world.shapes, s.ladder.rubble.memory,
-                                             settings, sim.scratch->rubble.solver, nullptr,
-                                             world.partners);
+    const RubbleReport tick =
+        advance_rubble(world.bodies, world.shapes, s.ladder.rubble.memory, settings,
+                       sim.scratch->rubble.solver, nullptr, world.partners);
     // All lost energy counts for every component: islands are not distinguished.
     const double lost = before + tick.gravity_work - kinetic_of(world);
     for (std::size_t c = 0; c < world.of_component.size(); ++c) {
-      if (world.of_component[c] != RubbleWorld::no_row) s.ladder.rubble.spent[c] += std::max(0.0, lost);
+      if (world.of_component[c] != RubbleWorld::no_row)
+        s.ladder.rubble.spent[c] += std::max(0.0, lost);
     }
     add_tick(report, tick);
     for (std::size_t o = 0; o < world.of_obstacle.size() && !tick.given.empty(); ++o) {
@@ -203,8 +203,7 @@ void begin_rubble(StepReport& report, Simulation& sim) {
   const Vec3 gravity = gravity_at(scene.gravity, s.mechanics.time + whole);
   note_break_energies(scratch.threshold, s.mechanics, s.cells, scene.fracture.node_stress,
                       sim.scratch->break_energy);
-  RubbleChoice choice =
-      choose_rubble(sim, {scratch.threshold, scratch.declared, gravity, whole});
+  RubbleChoice choice = choose_rubble(sim, {scratch.threshold, scratch.declared, gravity, whole});
   report.rubble.refused += choice.refused;
   report.rubble.mixed += choice.mixed;
   report.rubble.solids += choice.solids;

@@ -23,8 +23,8 @@ bool is_shut(const SimulationState& s, const Partner& p) {
   for (std::size_t k = 0; k < 3; ++k) {
     const VertexId v = corners[a.index()][p.corner[k]];
     const VertexId w = corners[b.index()][p.opposite_corner[k]];
-    const Vec3 apart = s.mechanics.vertices.position[v.index()] -
-                       s.mechanics.vertices.position[w.index()];
+    const Vec3 apart =
+        s.mechanics.vertices.position[v.index()] - s.mechanics.vertices.position[w.index()];
     if (apart.norm() >= p.reach) return false;
   }
   return true;
@@ -99,7 +99,8 @@ std::vector<std::uint32_t> add_convex_pieces(RubbleWorld& world, const Simulatio
   }
   for (const Component& c : s.mechanics.components) {
     const std::size_t k = c.id.index();
-    if (world.of_component[k] == RubbleWorld::no_row || parted[k] || c.tetrahedra.size() < 2) continue;
+    if (world.of_component[k] == RubbleWorld::no_row || parted[k] || c.tetrahedra.size() < 2)
+      continue;
     const std::optional<ConvexSolid> solid =
         find_convex_solid(outside_of(s, c), 0.1 * sim.scene.contact.allowed_penetration);
     if (!solid) continue;
@@ -158,8 +159,7 @@ void add_partners(RubbleWorld& world, const SimulationState& s) {
     if (world.shapes[partner.shape_a].body == world.shapes[partner.shape_b].body) continue;
     const Corners& corners = s.cells.map.corners()[tetrahedron_of(p.face).index()];
     for (std::size_t k = 0; k < 3; ++k) {
-      partner.point[k] =
-          s.cells.map.point_of_vertex(corners[p.corner[k]]);
+      partner.point[k] = s.cells.map.point_of_vertex(corners[p.corner[k]]);
     }
     world.partners.push_back(partner);
   }

@@ -14,8 +14,8 @@
 #include "fracture/strength/held_boxes.hpp"
 #include "mechanics/element/energy.hpp"
 #include "mechanics/element/second_order.hpp"
-#include "mechanics/statics/modes.hpp"
 #include "mechanics/state/supports.hpp"
+#include "mechanics/statics/modes.hpp"
 #include "mechanics/statics/static_solve.hpp"
 
 namespace sunder {
@@ -60,9 +60,10 @@ void explain(const Simulation& sim, Finding& finding) {
   const auto id = static_cast<std::size_t>(finding.ids.front());
   const std::string body = body_name(sim, body_of(sim, sim.state->mechanics.components[id]));
   finding.text = fmt::format(
-      "{}: its piece {} has no three held vertices off one line, nor axes held that fix it, so it has no equilibrium{}",
-      body,
-      id, sim.scene.obstacles.empty() ? "" : "; obstacles that carry a body are not supports here");
+      "{}: its piece {} has no three held vertices off one line, nor axes held that fix it, so it "
+      "has no equilibrium{}",
+      body, id,
+      sim.scene.obstacles.empty() ? "" : "; obstacles that carry a body are not supports here");
   finding.remedy =
       "hold a face of it: \"held\": [{\"minimum\": [...], \"maximum\": [...]}] in the "
       "body; for what rests on an obstacle let `sunder run` settle with damping";

@@ -30,7 +30,7 @@ struct SupportReaction {
 struct BodyEquilibrium {
   std::string name;
   std::size_t vertices = 0, nodes = 0, tetrahedra = 0;  ///< nodes: with those of edges
-  double mass = 0;           ///< kg
+  double mass = 0;                                      ///< kg
   Extreme displacement;      ///< m, magnitude, from the place in the scene
   double strain_energy = 0;  ///< J
   Extreme principal_stress;  ///< Pa, largest eigenvalue of a node stress (eq. 6)

@@ -202,9 +202,9 @@ TieReport settle_ties(std::span<TiePair> pairs, std::span<const Vec3> impulse,
     before.clear();
     for (const TieCorner* corner : pair.corners) before.push_back(corner->opened);
     ++report.pairs;
-    report.opening += settle_tie(report, pair,
-                                 {opening_at_start(pair, paths), opening_at_end(pair, paths)},
-                                 impulse[k] / paths.time_step);
+    report.opening +=
+        settle_tie(report, pair, {opening_at_start(pair, paths), opening_at_end(pair, paths)},
+                   impulse[k] / paths.time_step);
     if (has_torn(pair, before)) {
       report.torn.push_back(paths.state.vertices.component[pair.a.index()]);
     }

@@ -54,8 +54,8 @@ struct TieOpening {
   Vec3 start, end;
 };
 
-/// The corners of a pair note their openings, and the report notes the energies. `force`: N, on A, the
-/// mean on the way. True: a corner opened farther than ever.
+/// The corners of a pair note their openings, and the report notes the energies. `force`: N, on A,
+/// the mean on the way. True: a corner opened farther than ever.
 bool settle_tie(TieReport& report, TiePair& pair, const TieOpening& opening, const Vec3& force);
 
 /// Whether a corner of a pair has opened by more than 1 % of the opening that ends it, from

@@ -30,14 +30,12 @@ Vec3 point_at(const std::array<double, 3>& foot, const std::array<Vec3, 3>& x) {
 }
 
 /// Whether the way of a ball against a tetrahedron comes near it: an inexpensive bound.
-bool may_meet(const DetectScratch& scratch, const StepPaths& paths, const BallWay& ball,
-              TetId t) {
+bool may_meet(const DetectScratch& scratch, const StepPaths& paths, const BallWay& ball, TetId t) {
   const Corners& corners = paths.corners[t.index()];
   const Vec3 from = ball.start - scratch.centre_start[t.index()];
   const Vec3 way = ball.end - centre_of(corners, paths.predicted) - from;
   const double length = way.norm();
-  const double share =
-      length > 0 ? std::clamp(-from.dot(way) / (length * length), 0.0, 1.0) : 0.0;
+  const double share = length > 0 ? std::clamp(-from.dot(way) / (length * length), 0.0, 1.0) : 0.0;
   double spread = 0;
   const Vec3 centre_way = ball.end - ball.start - way;
   for (const VertexId v : corners) {
@@ -163,7 +161,8 @@ void add(DetectScratch& scratch, const StepPaths& paths, const BallWay& ball,
 }
 
 bool holds(const StepPaths& paths, TetId t, const Vec3& point) {
-  const std::array<double, 4> shares = barycentric(places_of(paths.corners[t.index()], paths), point);
+  const std::array<double, 4> shares =
+      barycentric(places_of(paths.corners[t.index()], paths), point);
   return std::ranges::all_of(shares, [](double w) { return w >= 0; });
 }
 
@@ -201,8 +200,8 @@ ComponentId component_of(const StepPaths& paths, const BallTouch& touch) {
   return paths.state.elements.component[tetrahedron_of(touch.face).index()];
 }
 
-/// Of touches with one component, those that end behind and come first: a ball that is stopped there
-/// does not reach the others.
+/// Of touches with one component, those that end behind and come first: a ball that is stopped
+/// there does not reach the others.
 void keep_first(std::vector<BallTouch>& touches, const StepPaths& paths) {
   constexpr double together = 0.05;
   const auto passes = [](const BallTouch& t) { return t.gap_end < 0 && t.gap_start > 0; };

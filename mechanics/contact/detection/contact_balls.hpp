@@ -11,7 +11,8 @@ namespace sunder {
 /// feature of the surface with the Voronoi region around its centre. The centre moves on a straight
 /// line against each face. Sphere tracing finds the first touch at any speed.
 /// A centre that begins inside a piece is led to the nearest face.
-/// Needs: `scratch.surface` and `measure_balls`. `friction`: of the bodies. O(faces) for each sphere.
+/// Needs: `scratch.surface` and `measure_balls`. `friction`: of the bodies. O(faces) for each
+/// sphere.
 void find_balls_on_pieces(DetectScratch& scratch, const StepPaths& paths, double friction);
 
 }  // namespace sunder

@@ -87,14 +87,13 @@ void find_vertex_obstacle(DetectScratch& scratch, const StepPaths& paths, std::u
   }
 }
 
-/// Leaves out contacts of vertices that rest on one obstacle with another one that lies flush with it:
-/// a vertex that is lifted off the first is clear of the second.
+/// Leaves out contacts of vertices that rest on one obstacle with another one that lies flush with
+/// it: a vertex that is lifted off the first is clear of the second.
 void leave_out_seams(DetectScratch& scratch, const StepPaths& paths, double rim) {
   std::vector<std::uint32_t>& order = scratch.order;
   order.resize(scratch.found.size());
   std::iota(order.begin(), order.end(), 0u);
-  std::ranges::stable_sort(order, {},
-                           [&](std::uint32_t k) { return scratch.found[k].vertex; });
+  std::ranges::stable_sort(order, {}, [&](std::uint32_t k) { return scratch.found[k].vertex; });
   std::vector<char> is_out(order.size(), 0);
   const auto leave_out = [&](std::uint32_t of, std::uint32_t rest) {
     const ContactPoint& contact = scratch.found[of];
@@ -110,9 +109,8 @@ void leave_out_seams(DetectScratch& scratch, const StepPaths& paths, double rim)
     while (end < order.size() && scratch.found[order[end]].vertex == v) ++end;
     const std::span<const std::uint32_t> same(order.data() + first, end - first);
     for (const std::uint32_t k : same) {
-      is_out[k] = same.size() > 1 && std::ranges::any_of(same, [&](std::uint32_t rest) {
-                    return leave_out(k, rest);
-                  });
+      is_out[k] = same.size() > 1 &&
+                  std::ranges::any_of(same, [&](std::uint32_t rest) { return leave_out(k, rest); });
     }
     first = end;
   }
@@ -191,7 +189,8 @@ void find_vertex_contacts(DetectScratch& scratch, const StepPaths& paths,
   scratch.found_gap.clear();
   const double rim = rim_of(settings);
   for (std::uint32_t row = 0; row < paths.obstacles.size(); ++row) {
-    if (!is_far(paths, row, reach)) find_vertex_obstacle(scratch, paths, row, settings.friction, rim);
+    if (!is_far(paths, row, reach))
+      find_vertex_obstacle(scratch, paths, row, settings.friction, rim);
   }
   if (paths.obstacles.size() > 1) leave_out_seams(scratch, paths, rim);
 }
@@ -213,14 +212,13 @@ void add_found(DetectScratch& scratch, const StepPaths& paths, ContactPoint cont
 
 bool has_several_pieces(const StepPaths& paths, const ContactSettings& settings) {
   const std::vector<ComponentId>& all = paths.state.elements.component;
-  return settings.between_pieces && std::ranges::any_of(all, [&](ComponentId c) {
-    return c != all.front();
-  });
+  return settings.between_pieces &&
+         std::ranges::any_of(all, [&](ComponentId c) { return c != all.front(); });
 }
 
 bool may_overlap(const StepPaths& paths, const ContactSettings& settings) {
-  return !paths.neighbours.empty() && (has_several_pieces(paths, settings) ||
-                                       std::ranges::any_of(paths.obstacles, is_sphere));
+  return !paths.neighbours.empty() &&
+         (has_several_pieces(paths, settings) || std::ranges::any_of(paths.obstacles, is_sphere));
 }
 
 void find_on_obstacles(DetectScratch& scratch, const StepPaths& paths,

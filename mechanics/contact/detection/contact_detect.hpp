@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "mechanics/contact/contact.hpp"
+#include "mechanics/contact/detection/pairs/near_pairs.hpp"
 #include "mechanics/contact/shapes/box_pairs.hpp"
 #include "mechanics/contact/shapes/contact_pairs.hpp"
 #include "mechanics/contact/shapes/manifold.hpp"
-#include "mechanics/contact/detection/pairs/near_pairs.hpp"
 #include "mechanics/contact/shapes/piece_surface.hpp"
 #include "mechanics/state/pose.hpp"
 
@@ -26,9 +26,9 @@ struct CornerPath {
 struct SolidPairs {
   std::vector<Bounds> boxes;
   std::vector<std::uint32_t> body;
-  std::vector<Vec3> ways;          ///< m
-  std::vector<char> moves;         ///< row = body
-  std::vector<TetId> tetrahedra;   ///< row = box, where these are tetrahedra
+  std::vector<Vec3> ways;         ///< m
+  std::vector<char> moves;        ///< row = body
+  std::vector<TetId> tetrahedra;  ///< row = box, where these are tetrahedra
   std::vector<RowPair> found;
   BoxScratch grid;
 };
@@ -43,13 +43,13 @@ struct DetectScratch {
   /// |T|: centres of the tetrahedra at the start and half-way, and their balls at rest, m.
   std::vector<Vec3> centre_start, centre_middle;
   std::vector<double> radius, reach;
-  double ball_share = 0;           ///< ball share at which `radius` was measured
-  std::vector<Vec3> point_middle;  ///< |V|, and corners of obstacles
+  double ball_share = 0;                     ///< ball share at which `radius` was measured
+  std::vector<Vec3> point_middle;            ///< |V|, and corners of obstacles
   std::vector<ComponentId> point_component;  ///< of both; empty where there are no corners
   std::vector<CornerPath> corner;
   PieceSurface surface;
   SolidPairs solid_pairs;
-  std::vector<Bounds> edge_boxes;  ///< row = edge of the surface: on its way, widened
+  std::vector<Bounds> edge_boxes;     ///< row = edge of the surface: on its way, widened
   std::vector<Bounds> obstacle_ways;  ///< likewise row = obstacle: of its corners
   Travel travel;
   std::vector<std::uint64_t> shape;  ///< row = component: changes with its surface
@@ -57,9 +57,10 @@ struct DetectScratch {
   double mean_edge = 0;              ///< m, of the surface as it was searched last
   NearPairs near_edges;              ///< by numbers of edges (`refresh_edges`)
   NearPairs near_solids;             ///< by numbers of tetrahedra
-  std::vector<std::uint32_t> edge_row;  ///< row of `PieceSurface::edges`, by numbers (`refresh_edges`)
-  std::uint64_t edge_row_version = 0;   ///< of the surface that these are of
-  std::vector<RowPair> swept;           ///< pairs of the step at hand, where ways are long
+  std::vector<std::uint32_t>
+      edge_row;  ///< row of `PieceSurface::edges`, by numbers (`refresh_edges`)
+  std::uint64_t edge_row_version = 0;  ///< of the surface that these are of
+  std::vector<RowPair> swept;          ///< pairs of the step at hand, where ways are long
   std::vector<std::pair<VertexId, VertexId>> facing;  ///< of partners, both ways, sorted
   std::vector<ContactPoint> found;
   std::vector<double> found_gap;  ///< m, end of the step, in the tangent plane
@@ -77,7 +78,7 @@ struct StepPaths {
   double time_step;
   StepMembers members = {};                                    ///< only they meet
   std::span<const std::array<HalfFaceId, 4>> neighbours = {};  ///< `StepInput::neighbours`
-  std::span<const CornerPath> corner = {};  ///< that come near pieces
+  std::span<const CornerPath> corner = {};                     ///< that come near pieces
   /// m: vertices that end so near an obstacle meet it too. The ways of explicit waves are
   /// estimates.
   double margin = 0;
@@ -91,9 +92,7 @@ struct StepPaths {
     return is_corner(v) ? corner_of(v).end : predicted[v.index()];
   }
   /// Where a vertex is when it has gone a part of its way, on a straight line, m.
-  Vec3 at(VertexId v, double part) const {
-    return (1 - part) * at_start(v) + part * at_end(v);
-  }
+  Vec3 at(VertexId v, double part) const { return (1 - part) * at_start(v) + part * at_end(v); }
 };
 
 /// Mean of a tetrahedron's four positions.
@@ -115,9 +114,9 @@ void pair_up(DetectScratch& scratch, const StepPaths& paths);
 std::array<double, 4> weights_on(const ContactPoint& contact, const std::array<double, 4>& touched,
                                  const StepPaths& paths);
 
-/// The nodes of B, a tetrahedron, that a contact acts on, and their shares: its corners by the contact's
-/// weights; of second order, where it deforms, shape functions there: with the weights L_i those are
-/// L_i (2 L_i - 1) of corners and 4 L_i L_j of edges, on one face at most.
+/// The nodes of B, a tetrahedron, that a contact acts on, and their shares: its corners by the
+/// contact's weights; of second order, where it deforms, shape functions there: with the weights
+/// L_i those are L_i (2 L_i - 1) of corners and 4 L_i L_j of edges, on one face at most.
 struct TouchedNodes {
   std::array<VertexId, 6> row;
   std::array<double, 6> share;
@@ -133,8 +132,8 @@ struct TouchedNodes {
 TouchedNodes touched_nodes(const ContactPoint& contact, const MechanicsState& state,
                            std::span<const Corners> corners);
 
-/// The nodes of a body that side A acts on: the vertex, or corners of the tetrahedron by `weights_a`.
-/// Side A is where they are on the mean. Needs: A of a body.
+/// The nodes of a body that side A acts on: the vertex, or corners of the tetrahedron by
+/// `weights_a`. Side A is where they are on the mean. Needs: A of a body.
 TouchedNodes nodes_of_a(const ContactPoint& contact, std::span<const Corners> corners);
 
 /// Where side A of a contact is on its obstacle, put as `shape` is, m: the centre of a ball.
@@ -154,8 +153,8 @@ void add_found(DetectScratch& scratch, const StepPaths& paths, ContactPoint cont
 /// m: how deep solids that slide over a seam may dip into it and touch only their supports.
 inline double rim_of(const ContactSettings& settings) { return 2 * settings.allowed_penetration; }
 
-/// From the point of B, a tetrahedron, to where side A is (`place`), both at the start of a step, m. An
-/// impulse acts on B at the end of it, as if it were fast to B. `start`: positions there.
+/// From the point of B, a tetrahedron, to where side A is (`place`), both at the start of a step,
+/// m. An impulse acts on B at the end of it, as if it were fast to B. `start`: positions there.
 inline Vec3 lever_of(const TouchedNodes& touched, const Vec3& place, std::span<const Vec3> start) {
   return place - touched.sum(start);
 }

@@ -112,7 +112,8 @@ Bounds way_of_obstacle(const StepPaths& paths, std::uint32_t row) {
   return box;
 }
 
-/// Whether a plane through an edge leaves the faces of A above and those of B below. `normal`: unit.
+/// Whether a plane through an edge leaves the faces of A above and those of B below. `normal`:
+/// unit.
 bool fits(const MovingEdge& a, const MovingEdge& b, const Vec3& normal) {
   // Faces that lie on each other are in the plane but for rounding.
   constexpr double level = 1e-6;
@@ -283,7 +284,8 @@ void find_between_edges(DetectScratch& scratch, const StepPaths& paths,
   std::vector<PairContacts> noted;
   for (NearPair& pair : scratch.near_edges.found) {
     if (!is_due(pair, travel)) continue;
-    if (!paths.members.has(ComponentId{pair.body_a}) || !paths.members.has(ComponentId{pair.body_b}))
+    if (!paths.members.has(ComponentId{pair.body_a}) ||
+        !paths.members.has(ComponentId{pair.body_b}))
       continue;
     const std::uint32_t a = scratch.edge_row[pair.a], b = scratch.edge_row[pair.b];
     pair.facing = 0;

@@ -8,10 +8,10 @@ namespace sunder {
 
 /// Adds the contacts of edges of pieces with edges of other pieces, boxes and meshes to
 /// `scratch.found`. The lines of two edges come to touch within both, along a normal that fits the
-/// faces at either of them (the arcs of their faces on the Gauss map cross). Where an edge is flat, or lies within a piece,
-/// faces and vertices are enough. The ends of an edge are left to its vertices, and edges that begin
-/// deeper than ten times `allowed_penetration` to the overlaps (`find_overlaps`).
-/// Edges of partners (crack faces that still face each other) are left out.
+/// faces at either of them (the arcs of their faces on the Gauss map cross). Where an edge is flat,
+/// or lies within a piece, faces and vertices are enough. The ends of an edge are left to its
+/// vertices, and edges that begin deeper than ten times `allowed_penetration` to the overlaps
+/// (`find_overlaps`). Edges of partners (crack faces that still face each other) are left out.
 /// Needs: `scratch.surface`, `scratch.facing`; `reach`: of all vertices. O(edges + pairs).
 void find_between_edges(DetectScratch& scratch, const StepPaths& paths,
                         const ContactSettings& settings, const VertexReach& reach);

@@ -45,10 +45,10 @@ double rounding_of(const ContactPath& path, const ContactPoint& contact) {
 std::uint64_t pair_of(const ContactStep& step, const ContactPoint& contact) {
   const MechanicsState& state = step.pass.state;
   const auto components = static_cast<std::uint64_t>(state.components.size());
-  const std::uint64_t a = contact.is_body_a() ? component_of_a(contact, state).value
-                                              : components + contact.ball;
-  const std::uint64_t b = contact.is_body_b() ? component_of_b(contact, state).value
-                                              : components + contact.obstacle;
+  const std::uint64_t a =
+      contact.is_body_a() ? component_of_a(contact, state).value : components + contact.ball;
+  const std::uint64_t b =
+      contact.is_body_b() ? component_of_b(contact, state).value : components + contact.obstacle;
   return std::min(a, b) << 32 | std::max(a, b);
 }
 
@@ -74,8 +74,7 @@ void take_spanning_sets(ContactStep& step) {
     if (contacts.size() > most) {
       const auto rest = contacts.begin() + static_cast<std::ptrdiff_t>(most / 2);
       std::sort(rest, contacts.end(), [&](std::uint32_t a, std::uint32_t b) {
-        return std::tuple(scattered(found.found[a]), a) <
-               std::tuple(scattered(found.found[b]), b);
+        return std::tuple(scattered(found.found[a]), a) < std::tuple(scattered(found.found[b]), b);
       });
       contacts.resize(most);
     }
@@ -227,9 +226,9 @@ Vec3 relative_shift(const ContactStep& step, const ContactPoint& contact) {
   const auto of_body = [&](ComponentId id, const TouchedNodes& nodes) {
     return weight_shift(step, id, nodes.sum(state.vertices.position));
   };
-  const Vec3 of_a = contact.is_body_a() ? of_body(component_of_a(contact, state),
-                                                  nodes_of_a(contact, corners))
-                                        : weight_shift_of_ball(step, contact.ball);
+  const Vec3 of_a = contact.is_body_a()
+                        ? of_body(component_of_a(contact, state), nodes_of_a(contact, corners))
+                        : weight_shift_of_ball(step, contact.ball);
   const Vec3 of_b = contact.is_body_b() ? of_body(component_of_b(contact, state),
                                                   touched_nodes(contact, state, corners))
                                         : weight_shift_of_ball(step, contact.obstacle);

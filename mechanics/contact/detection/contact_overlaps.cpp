@@ -16,8 +16,8 @@ namespace {
 
 /// `ContactPoint::place` of overlaps: above the numbers of faces and edges.
 constexpr std::uint8_t first_place = 16;
-/// m: the overlap that is left alone, by the edge at hand. A first look takes a thousandth of it and
-/// more; later ones take five thousandths and more, since solved contacts bear the rest.
+/// m: the overlap that is left alone, by the edge at hand. A first look takes a thousandth of it
+/// and more; later ones take five thousandths and more, since solved contacts bear the rest.
 double least_overlap(const ContactSettings& settings, std::uint8_t pass, double edge) {
   const double share = pass <= 2 ? 1e-3 : 5e-3;
   return 2 * settings.allowed_penetration + share * edge;
@@ -61,8 +61,8 @@ void find_ball_overlaps(DetectScratch& scratch, const StepPaths& paths, const Ba
                         const ContactSettings& settings, std::uint8_t pass) {
   for_each_near(scratch.solid_pairs, ball, [&](TetId t) {
     const Places x = places_at_end(paths, t);
-    const Manifold patch = collide_ball(ball.end, ball.radius,
-                                        make_tetrahedron(x, outer_faces(paths, t)), {});
+    const Manifold patch =
+        collide_ball(ball.end, ball.radius, make_tetrahedron(x, outer_faces(paths, t)), {});
     if (patch.count == 0) return;
     const double least = least_overlap(settings, pass, std::min(mean_edge(x), ball.radius));
     if (!(patch.point[0].separation < -least)) return;
@@ -94,8 +94,8 @@ double boxes_apart(const StepPaths& paths, TetId a, TetId b) {
   return (p.low - q.high).cwiseMax(q.low - p.high).maxCoeff();
 }
 
-/// Two tetrahedra, no partners, that may overlap as the step ends, and the axis that decided them last.
-/// Gives how far they are apart at least, m.
+/// Two tetrahedra, no partners, that may overlap as the step ends, and the axis that decided them
+/// last. Gives how far they are apart at least, m.
 double find_overlap(DetectScratch& scratch, const StepPaths& paths, const ContactSettings& settings,
                     std::uint8_t pass, TetId a, TetId b, PairAxis& axis) {
   const Places x = places_at_end(paths, a), y = places_at_end(paths, b);
@@ -136,7 +136,8 @@ void find_solid_overlaps(DetectScratch& scratch, const StepPaths& paths,
   std::vector<PairContacts> noted;
   for (NearPair& pair : scratch.near_solids.found) {
     if (!is_due(pair, travel)) continue;
-    if (!paths.members.has(ComponentId{pair.body_a}) || !paths.members.has(ComponentId{pair.body_b}))
+    if (!paths.members.has(ComponentId{pair.body_a}) ||
+        !paths.members.has(ComponentId{pair.body_b}))
       continue;
     const TetId a{pair.a}, b{pair.b};
     pair.facing = 0;

@@ -23,9 +23,9 @@ struct NodePlace {
 /// One node of a pair of crack faces; A is the lower row.
 struct Facing {
   VertexId a, b;
-  HalfFaceId face;    ///< of A: identifies contacts of the same nodes
-  TetId tetrahedron;  ///< of B
-  NodePlace place;    ///< of B
+  HalfFaceId face;     ///< of A: identifies contacts of the same nodes
+  TetId tetrahedron;   ///< of B
+  NodePlace place;     ///< of B
   Vec3 area{0, 0, 0};  ///< m^2, from B to A
 };
 
@@ -49,7 +49,8 @@ void for_each_pair(const StepPaths& paths, const Partner& p, Visit visit) {
   const bool has_edges = is_second_order(paths.state.elements, tetrahedron_of(p.face));
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t next = (k + 1) % 3;
-    visit(NodePlace{p.corner[k], p.corner[k]}, NodePlace{p.opposite_corner[k], p.opposite_corner[k]});
+    visit(NodePlace{p.corner[k], p.corner[k]},
+          NodePlace{p.opposite_corner[k], p.opposite_corner[k]});
     if (!has_edges) continue;
     visit(NodePlace{p.corner[k], p.corner[next]},
           NodePlace{p.opposite_corner[k], p.opposite_corner[next]});
@@ -128,7 +129,8 @@ void merge_planes(std::vector<Facing>& all) {
 }
 
 /// Where the impulse acts on B: its node; of a rigid tetrahedron the place of A.
-std::array<double, 4> weights_of(const ContactPoint& contact, NodePlace at, const StepPaths& paths) {
+std::array<double, 4> weights_of(const ContactPoint& contact, NodePlace at,
+                                 const StepPaths& paths) {
   std::array<double, 4> weights{};
   weights[at.corner] += 0.5;
   weights[at.other] += 0.5;

@@ -62,8 +62,8 @@ struct PassingPair {
   const StepPaths& paths;
   TetId a, b;
   Turning turning_a, turning_b;
-  double tolerance;    ///< m
-  double arm_a, arm_b; ///< m, from the mass centres to the farthest corner
+  double tolerance;     ///< m
+  double arm_a, arm_b;  ///< m, from the mass centres to the farthest corner
   int looks_left = 4096;
 
   Places of_a(double part) const { return places_after(paths, turning_a, a, part); }
@@ -74,7 +74,8 @@ struct PassingPair {
   bool overlaps(double from, double to, const Places& p, const Places& q, const Places& r,
                 const Places& s) {
     const double span = to - from;
-    const double arc = sagitta(span * turning_a.angle, arm_a) + sagitta(span * turning_b.angle, arm_b);
+    const double arc =
+        sagitta(span * turning_a.angle, arm_a) + sagitta(span * turning_b.angle, arm_b);
     if (common_gap(p, q, r, s, arc - tolerance) >= arc - tolerance) return false;
     if (farthest(p, q, r, s) + arc < tolerance || --looks_left <= 0) return false;
     const double middle = 0.5 * (from + to);
@@ -98,10 +99,11 @@ bool passes(const DetectScratch& scratch, const StepPaths& paths, TetId a, TetId
     }
     return most;
   };
-  PassingPair pair{paths, a, b, turning_of(paths, of_a), turning_of(paths, of_b), tolerance,
-                   arm(of_a, p), arm(of_b, q)};
-  const double arc = sagitta(pair.turning_a.angle, pair.arm_a) +
-                     sagitta(pair.turning_b.angle, pair.arm_b);
+  PassingPair pair{
+      paths,        a,           b, turning_of(paths, of_a), turning_of(paths, of_b), tolerance,
+      arm(of_a, p), arm(of_b, q)};
+  const double arc =
+      sagitta(pair.turning_a.angle, pair.arm_a) + sagitta(pair.turning_b.angle, pair.arm_b);
   if (farthest(p, q, r, s) + arc < tolerance) return false;
   // Pieces that begin in an overlap are pushed out slowly.
   if (common_gap(p, q, p, q, -tolerance) < -tolerance) return false;
@@ -127,13 +129,14 @@ bool passes(const StepPaths& paths, const BallWay& ball, TetId t) {
   double fastest = 0;
   for (std::size_t i = 0; i < 4; ++i) {
     const double arm = (p[i] - paths.state.components[id.index()].centre).norm();
-    fastest = std::max(fastest, (ball.end - ball.start - (q[i] - p[i])).norm() +
-                                    2 * turning.angle * arm);
+    fastest =
+        std::max(fastest, (ball.end - ball.start - (q[i] - p[i])).norm() + 2 * turning.angle * arm);
   }
   constexpr int most_looks = 4096;
   double part = 0;
   for (int k = 0; k < most_looks; ++k) {
-    const double gap = gap_of_ball(ball.at(part), ball.radius, places_after(paths, turning, t, part));
+    const double gap =
+        gap_of_ball(ball.at(part), ball.radius, places_after(paths, turning, t, part));
     if (gap < -tolerance) return true;
     if (part >= 1) return false;
     part = std::min(1.0, part + std::max(gap + tolerance, 0.1 * tolerance) / fastest);

@@ -20,9 +20,8 @@ Vec3 relative_velocity(const ContactPoint& contact, const StepPaths& paths) {
     const Obstacle& o = paths.obstacles[row];
     return is_sphere(o) ? o.velocity : surface_velocity(o, place);
   };
-  const Vec3 sum = contact.is_body_a()
-                       ? nodes_of_a(contact, paths.corners).sum(velocity)
-                       : velocity_of(contact.ball);
+  const Vec3 sum = contact.is_body_a() ? nodes_of_a(contact, paths.corners).sum(velocity)
+                                       : velocity_of(contact.ball);
   if (contact.obstacle != ContactPoint::none) return sum - velocity_of(contact.obstacle);
   return sum - touched_nodes(contact, paths.state, paths.corners).sum(velocity);
 }
@@ -123,8 +122,7 @@ Vec3 end_of_side_a(const ContactPoint& contact, const StepPaths& paths) {
   if (contact.is_sphere_a()) return end.centre;
   const Vec3 point = point_of_obstacle(contact, obstacle.shape);
   const Pose start = pose_of(obstacle.shape);
-  return end.centre +
-         end.orientation * (start.orientation.conjugate() * (point - start.centre));
+  return end.centre + end.orientation * (start.orientation.conjugate() * (point - start.centre));
 }
 
 ContactPath path_of(const ContactPoint& contact, const StepPaths& paths) {
@@ -151,8 +149,8 @@ ContactPath path_of(const ContactPoint& contact, const StepPaths& paths) {
     const Vec3 lever = lever_of(touched, path.start, paths.state.vertices.position);
     path.end -= touched.sum(paths.predicted);
     path.end -= component.rigid ? lever
-                                   : paths.frame[id.index()].orientation *
-                                         (component.orientation.conjugate() * lever);
+                                : paths.frame[id.index()].orientation *
+                                      (component.orientation.conjugate() * lever);
     path.start.setZero();
   }
   return path;

@@ -222,8 +222,8 @@ struct Supports {
 bool grazes(const FaceTouch& touch, const StepPaths& paths, const PieceSurface& surface,
             const Supports& supports) {
   if (!(touch.gap_start > 0)) return false;
-  const auto row = static_cast<std::size_t>(
-      std::ranges::lower_bound(surface.faces, touch.face) - surface.faces.begin());
+  const auto row = static_cast<std::size_t>(std::ranges::lower_bound(surface.faces, touch.face) -
+                                            surface.faces.begin());
   const std::array<VertexId, 3> corners = corners_of(paths, touch.face);
   const std::array<Vec3, 3> x = places_at(paths, corners, touch.part);
   const Vec3 at = touch.foot[0] * x[0] + touch.foot[1] * x[1] + touch.foot[2] * x[2];
@@ -368,9 +368,8 @@ void find_between_pieces(DetectScratch& scratch, const StepPaths& paths,
            touches[end].component == touches[first].component) {
       ++end;
     }
-    const std::optional<FaceTouch> best =
-        choose(std::span(touches).subspan(first, end - first), paths, scratch.surface, supports,
-               band);
+    const std::optional<FaceTouch> best = choose(std::span(touches).subspan(first, end - first),
+                                                 paths, scratch.surface, supports, band);
     if (best) chosen.push_back(*best);
     first = end;
   }

@@ -63,8 +63,8 @@ std::optional<FaceTouch> swept_touch(const StepPaths& paths, VertexId v, HalfFac
   return counts ? std::optional(touch) : std::nullopt;
 }
 
-std::optional<FaceTouch> resting_touch(const StepPaths& paths, VertexId v, HalfFaceId face, double band,
-                                   bool is_inside) {
+std::optional<FaceTouch> resting_touch(const StepPaths& paths, VertexId v, HalfFaceId face,
+                                       double band, bool is_inside) {
   FaceTouch touch = touch_at_start(paths, v, face);
   if (touch.gap_start > band || (!is_inside && touch.gap_start < -band)) return std::nullopt;
   touch.gap_end = gap_at(paths, v, face, 1);

@@ -41,8 +41,8 @@ inline Vec3 normal_of(const std::array<Vec3, 3>& x) {
 }
 
 /// Where three vertices are when they have gone a part of their ways, m.
-inline std::array<Vec3, 3> places_at(const StepPaths& paths, const std::array<VertexId, 3>& vertices,
-                              double part) {
+inline std::array<Vec3, 3> places_at(const StepPaths& paths,
+                                     const std::array<VertexId, 3>& vertices, double part) {
   return {paths.at(vertices[0], part), paths.at(vertices[1], part), paths.at(vertices[2], part)};
 }
 

@@ -80,8 +80,7 @@ Vec3 velocity_of_side_b(const ContactStep& step, const ContactPoint& contact) {
 
 Vec3 velocity_of_side_a(const ContactStep& step, const ContactPoint& contact) {
   if (contact.ball != ContactPoint::none) return velocity_of(step, contact.ball, contact);
-  return nodes_of_a(contact, step.pass.input.corners)
-      .sum(step.pass.state.vertices.velocity);
+  return nodes_of_a(contact, step.pass.input.corners).sum(step.pass.state.vertices.velocity);
 }
 
 /// Row = ComponentId; cracks that close within it left out.

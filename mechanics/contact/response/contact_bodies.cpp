@@ -45,8 +45,7 @@ FreeSlots free_slots(const ContactPass& pass, std::span<const VertexId> slots) {
 
 /// Whether the body responds by deforming, in floating_frame or modal.
 bool responds_elastically(const ContactPass& pass, const Component& component) {
-  return takes_split_blow(pass, component) && !component.rigid &&
-         component.rung != Rung::carried &&
+  return takes_split_blow(pass, component) && !component.rigid && component.rung != Rung::carried &&
          (component.partly_held || pass.input.part.deformation != Deformation::frozen);
 }
 
@@ -140,9 +139,9 @@ RespondingBody lumped_component(const ContactPass& pass, const Component& compon
     const Vec3 free = free_part(pass.state, slots[k], Vec3::Ones());
     const auto row = static_cast<Eigen::Index>(3 * k);
     body.elastic.block<3, 3>(row, row) =
-        free == Vec3::Ones() ? Mat3(Mat3::Identity() / pass.state.vertices.mass[v])
-                             : Mat3(R * free.asDiagonal() * R.transpose() /
-                                    pass.state.vertices.mass[v]);
+        free == Vec3::Ones()
+            ? Mat3(Mat3::Identity() / pass.state.vertices.mass[v])
+            : Mat3(R * free.asDiagonal() * R.transpose() / pass.state.vertices.mass[v]);
   }
   return body;
 }
@@ -235,10 +234,9 @@ void add_node_ends(Constraint& row, const TouchedNodes& nodes, ComponentId id, d
   const Component& component = pass.state.components[id.index()];
   const Vec3 arm = place - component.centre;
   if (component.rigid) {
-    add_end(row, {.body = bodies.body_of_component[id.index()],
-                  .weight = sign,
-                  .arm = arm,
-                  .lever = arm});
+    add_end(
+        row,
+        {.body = bodies.body_of_component[id.index()], .weight = sign, .arm = arm, .lever = arm});
     return;
   }
   for (std::size_t i = 0; i < nodes.count; ++i) {
@@ -259,9 +257,8 @@ Constraint row_of(const ContactPoint& contact, const ContactBodies& bodies,
   if (!contact.vertex.is_none()) {
     add_end(row, vertex_end(bodies, pass, contact.vertex, 1));
   } else if (contact.is_body_a()) {
-    add_node_ends(row, nodes_of_a(contact, pass.input.corners),
-                  component_of_a(contact, pass.state), 1, place_of_side_a(pass, contact), bodies,
-                  pass);
+    add_node_ends(row, nodes_of_a(contact, pass.input.corners), component_of_a(contact, pass.state),
+                  1, place_of_side_a(pass, contact), bodies, pass);
   } else if (pass.obstacles[contact.ball].mass) {
     const Obstacle& ball = pass.obstacles[contact.ball];
     const Vec3 arm = contact.is_sphere_a()

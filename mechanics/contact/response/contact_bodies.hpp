@@ -26,7 +26,7 @@ struct ContactBodies {
 /// Impulses that touched bodies have received so far in this step.
 struct StepBlows {
   std::vector<char> component_touched, ball_touched;
-  std::vector<Vec3> vertex_impulse;  ///< |V|, N s: deforms components of floating_frame
+  std::vector<Vec3> vertex_impulse;     ///< |V|, N s: deforms components of floating_frame
   Loads without_gravity, with_gravity;  ///< `force` is filled by `predict_touched`
 };
 

@@ -73,8 +73,8 @@ void spend_acceleration(const Bounce& bounce, const Constraint& row) {
     if (bounce.is_ball(end) || bounce.component_of(end).rigid) continue;
     const std::size_t v = end.vertex.index();
     const Vec3 n = bounce.component_of(end).orientation.conjugate() * row.normal;
-    const Vec3 along = free_part(bounce.pass.state, end.vertex,
-                                 n * n.dot(vertices.displacement_acceleration[v]));
+    const Vec3 along =
+        free_part(bounce.pass.state, end.vertex, n * n.dot(vertices.displacement_acceleration[v]));
     vertices.displacement_acceleration[v] -= along;
     vertices.displacement_rate[v] += bounce.reach(end) * along;
   }
@@ -102,9 +102,8 @@ void settle_rates(MechanicsState& state, const Component& component) {
   }
   project_rate(rate, shape, q);
   project_acceleration(acceleration, shape);
-  const Vec3 spin =
-      solve3(inertia_of(shape.mass, q),
-             R.transpose() * component.angular_momentum - moment_of(shape.mass, q, rate));
+  const Vec3 spin = solve3(inertia_of(shape.mass, q), R.transpose() * component.angular_momentum -
+                                                          moment_of(shape.mass, q, rate));
   for (Eigen::Index i = 0; i < q.cols(); ++i) {
     const std::size_t v = component.vertices[static_cast<std::size_t>(i)].index();
     vertices.displacement_rate[v] = rate.col(i);

@@ -17,10 +17,12 @@ void check_together(fields::SettingsCheck& check, const Obstacle& obstacle) {
   }
   const auto* solid = std::get_if<Solid>(&obstacle.shape);
   if (solid && !solid->surface) {
-    check.add("no_surface", "mesh", "has no surface", "name a file with a closed surface of triangles");
+    check.add("no_surface", "mesh", "has no surface",
+              "name a file with a closed surface of triangles");
   }
   if (obstacle.mass && std::holds_alternative<Plane>(obstacle.shape)) {
-    check.add("mass_without_volume", "mass", "is given, but a plane has no volume and cannot move freely",
+    check.add("mass_without_volume", "mass",
+              "is given, but a plane has no volume and cannot move freely",
               "leave the mass out, or make the obstacle a sphere, a box or a mesh");
   }
   if (!obstacle.mass && !obstacle.spin.isZero(0)) {

@@ -66,7 +66,9 @@ struct CellRange {
   }
 };
 
-CellRange range_of(const BoxGrid& grid, const Bounds& b) { return {grid.cell_of(b.low), grid.cell_of(b.high)}; }
+CellRange range_of(const BoxGrid& grid, const Bounds& b) {
+  return {grid.cell_of(b.low), grid.cell_of(b.high)};
+}
 
 template <class Visit>
 void for_cells(const CellRange& r, const Visit& visit) {
@@ -107,7 +109,8 @@ BoxGrid grid_of(std::span<const Bounds> boxes) {
 }
 
 /// All pairs of boxes that overlap, each once; none of boxes that are not finite.
-void find_overlaps(std::vector<RowPair>& pairs, BoxScratch& scratch, std::span<const Bounds> boxes) {
+void find_overlaps(std::vector<RowPair>& pairs, BoxScratch& scratch,
+                   std::span<const Bounds> boxes) {
   pairs.clear();
   const BoxGrid grid = grid_of(boxes);
   std::vector<std::uint32_t> large, small;
@@ -124,9 +127,8 @@ void find_overlaps(std::vector<RowPair>& pairs, BoxScratch& scratch, std::span<c
   }
   scratch.first.assign(grid.mask + 2, 0);
   for (const std::uint32_t k : small) {
-    for_cells(range_of(grid, boxes[k]), [&](auto x, auto y, auto z) {
-      ++scratch.first[grid.bucket_of(x, y, z) + 1];
-    });
+    for_cells(range_of(grid, boxes[k]),
+              [&](auto x, auto y, auto z) { ++scratch.first[grid.bucket_of(x, y, z) + 1]; });
   }
   for (std::size_t b = 0; b <= grid.mask; ++b) scratch.first[b + 1] += scratch.first[b];
   scratch.entries.resize(scratch.first.back());
@@ -196,8 +198,10 @@ void pair_bodies(std::vector<RowPair>& pairs, BoxScratch& scratch, const BoxQuer
   gather_near(p, scratch, bodies.first, b, axis);
   gather_near(q, scratch, bodies.second, a, axis);
   const std::vector<Bounds>& covered = scratch.covered;
-  const auto sweep = [&](std::uint32_t one, const std::vector<std::uint32_t>& others, std::size_t from) {
-    for (; from < others.size() && covered[others[from]].low[axis] <= covered[one].high[axis]; ++from) {
+  const auto sweep = [&](std::uint32_t one, const std::vector<std::uint32_t>& others,
+                         std::size_t from) {
+    for (; from < others.size() && covered[others[from]].low[axis] <= covered[one].high[axis];
+         ++from) {
       const std::uint32_t other = others[from];
       if (covered[one].overlaps(covered[other]) && may_pair(query, one, other)) {
         pairs.push_back(std::minmax(one, other));

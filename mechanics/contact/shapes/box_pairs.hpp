@@ -37,8 +37,8 @@ bool meet(const Bounds& a, const Bounds& b, const Vec3& way);
 
 /// Room that `find_box_pairs` reuses.
 struct BoxScratch {
-  std::vector<Bounds> covered;  ///< along their ways
-  std::vector<Bounds> hull;     ///< row = body
+  std::vector<Bounds> covered;              ///< along their ways
+  std::vector<Bounds> hull;                 ///< row = body
   std::vector<std::uint32_t> first_of, of;  ///< boxes by bodies
   std::vector<RowPair> bodies;
   std::vector<std::uint32_t> near_a, near_b;

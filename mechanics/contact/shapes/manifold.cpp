@@ -127,8 +127,8 @@ void keep_four(std::array<Manifold::Point, 12>& points, int& count, const Vec3& 
 }
 
 /// The patch of a face and the face of the other solid that looks at it most.
-Manifold clip_faces(const Polytope& of, int face, const Polytope& other,
-                    const Approach& approach, bool face_is_of_a) {
+Manifold clip_faces(const Polytope& of, int face, const Polytope& other, const Approach& approach,
+                    bool face_is_of_a) {
   const auto f = static_cast<std::size_t>(face);
   const Vec3& n = of.normal[f];
   std::size_t incident = 0;
@@ -210,7 +210,8 @@ bool try_faces(Best& best, const Polytope& of, const Polytope& other, const Appr
   return false;
 }
 
-/// On which side of each edge of `of` the normals of `other`'s faces lie: row = edge, column = face.
+/// On which side of each edge of `of` the normals of `other`'s faces lie: row = edge, column =
+/// face.
 using AxisSides = std::array<std::array<double, 6>, 12>;
 void find_sides(AxisSides& sides, const Polytope& of, const Polytope& other) {
   for (std::size_t e = 0; e < of.kind->edges; ++e) {
@@ -252,7 +253,8 @@ bool try_edges(Best& best, const Polytope& a, const Polytope& b, const Approach&
 
 }  // namespace
 
-std::array<double, 2> nearest_of_segments(const Vec3& p, const Vec3& u, const Vec3& q, const Vec3& v) {
+std::array<double, 2> nearest_of_segments(const Vec3& p, const Vec3& u, const Vec3& q,
+                                          const Vec3& v) {
   const Vec3 r = p - q;
   const double uu = u.squaredNorm(), vv = v.squaredNorm(), uv = u.dot(v);
   const double ur = u.dot(r), vr = v.dot(r);

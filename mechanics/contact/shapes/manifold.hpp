@@ -13,8 +13,8 @@ namespace sunder {
 /// A contact manifold: up to four points that span the patch between two solids.
 struct Manifold {
   struct Point {
-    Vec3 on_a, on_b;              ///< m
-    double separation = 0;        ///< normal . (on_a - on_b), m; negative: overlap
+    Vec3 on_a, on_b;        ///< m
+    double separation = 0;  ///< normal . (on_a - on_b), m; negative: overlap
   };
   Vec3 normal{0, 0, 1};  ///< unit, from B to A
   int count = 0;

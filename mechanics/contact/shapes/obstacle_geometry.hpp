@@ -48,14 +48,14 @@ struct FirstTouch {
 /// begins inside keeps the normal of its start. At most 48 evaluations of the distance.
 FirstTouch first_touch(const Shape& shape, const Path& path);
 
-/// Whether a path that enters a shape from outside stays in it no deeper than `rim` (m), as that of a
-/// point that slides over the seam of two boxes: at its end and at 15 places on its way.
+/// Whether a path that enters a shape from outside stays in it no deeper than `rim` (m), as that of
+/// a point that slides over the seam of two boxes: at its end and at 15 places on its way.
 bool grazes(const Shape& shape, const Path& path, const FirstTouch& touch, double rim);
 
-/// Where a place of a path (m) lies within `rim` (m) of more than one face of a box or a mesh, at an
-/// edge where it is convex: the face that counts. Of those that the path ends behind it is the one
-/// that it ends least deep behind. A point that slides over the edge along one face is not stopped
-/// by the other.
+/// Where a place of a path (m) lies within `rim` (m) of more than one face of a box or a mesh, at
+/// an edge where it is convex: the face that counts. Of those that the path ends behind it is the
+/// one that it ends least deep behind. A point that slides over the edge along one face is not
+/// stopped by the other.
 void choose_face(FirstTouch& touch, const Shape& shape, const Path& path, const Vec3& place,
                  double rim);
 

@@ -47,10 +47,11 @@ void make_edges(PieceSurface& s) {
     for (std::size_t k = first; k < end; ++k) {
       const FaceSide& a = sides[k];
       if (!are_two || k == first) {
-        s.edges.push_back({a.end,
-                           {a.beside, are_two ? sides[k + 1].beside : VertexId::none()},
-                           {s.faces[a.row], are_two ? s.faces[sides[k + 1].row] : HalfFaceId::none()},
-                           a.place});
+        s.edges.push_back(
+            {a.end,
+             {a.beside, are_two ? sides[k + 1].beside : VertexId::none()},
+             {s.faces[a.row], are_two ? s.faces[sides[k + 1].row] : HalfFaceId::none()},
+             a.place});
       }
       s.face_edges[a.row][a.side] = static_cast<std::uint32_t>(s.edges.size() - 1);
     }

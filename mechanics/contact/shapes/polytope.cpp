@@ -19,9 +19,8 @@ void finish(Polytope& p) {
   }
   for (std::size_t f = 0; f < p.kind->faces; ++f) {
     const auto& at = p.kind->face[f].vertex;
-    p.normal[f] = (p.vertex[at[1]] - p.vertex[at[0]])
-                      .cross(p.vertex[at[2]] - p.vertex[at[0]])
-                      .normalized();
+    p.normal[f] =
+        (p.vertex[at[1]] - p.vertex[at[0]]).cross(p.vertex[at[2]] - p.vertex[at[0]]).normalized();
   }
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Small convex solids: tetrahedra, boxes, others of up to six faces, with the faces and edges that may be met.
+// Small convex solids: tetrahedra, boxes, others of up to six faces, with the faces and edges that
+// may be met.
 #pragma once
 
 #include <array>
@@ -13,8 +14,8 @@ namespace sunder {
 /// How vertices, edges and faces of a kind of solid hang together.
 struct PolytopeKind {
   struct Edge {
-    std::uint8_t from, to;      ///< vertices
-    std::uint8_t left, right;   ///< faces
+    std::uint8_t from, to;     ///< vertices
+    std::uint8_t left, right;  ///< faces
   };
   struct Face {
     std::uint8_t count = 0;                ///< of its vertices
@@ -44,10 +45,10 @@ struct ConvexSolid {
 /// do not push anything.
 struct Polytope {
   const PolytopeKind* kind = &tetrahedron_kind;
-  std::array<Vec3, 8> vertex;  ///< m
-  std::array<Vec3, 6> normal;  ///< unit, outward
-  std::array<Vec3, 12> edge;   ///< m, from its first vertex to its second
-  Vec3 centre = Vec3::Zero();  ///< m, mean of the vertices
+  std::array<Vec3, 8> vertex;                          ///< m
+  std::array<Vec3, 6> normal;                          ///< unit, outward
+  std::array<Vec3, 12> edge;                           ///< m, from its first vertex to its second
+  Vec3 centre = Vec3::Zero();                          ///< m, mean of the vertices
   std::uint32_t outer_faces = ~0u, outer_edges = ~0u;  ///< a bit each
 
   bool is_outer_face(int f) const { return outer_faces >> f & 1; }

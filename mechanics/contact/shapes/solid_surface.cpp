@@ -38,8 +38,9 @@ void measure(SolidSurface& s) {
     const Vec3 sum = x[0] + x[1] + x[2];
     s.volume += six / 6;
     first += six / 24 * sum;
-    second += six / 120 * (sum * sum.transpose() + x[0] * x[0].transpose() +
-                           x[1] * x[1].transpose() + x[2] * x[2].transpose());
+    second += six / 120 *
+              (sum * sum.transpose() + x[0] * x[0].transpose() + x[1] * x[1].transpose() +
+               x[2] * x[2].transpose());
   }
   const Vec3 arm = first / s.volume;
   s.centre = from + arm;
@@ -175,8 +176,8 @@ NearestFace nearest_of(const SolidSurface& s, const Vec3& point) {
       const std::array<double, 3> share = nearest_on_triangle(x, point);
       const Vec3 place = share[0] * x[0] + share[1] * x[1] + share[2] * x[2];
       const double squared = (point - place).squaredNorm();
-      const bool nearer = squared < best.squared ||
-                          (squared == best.squared && s.order[k] < best.triangle);
+      const bool nearer =
+          squared < best.squared || (squared == best.squared && s.order[k] < best.triangle);
       if (nearer) best = {squared, s.order[k], share, place};
     }
   }

@@ -25,10 +25,10 @@ struct SolidSurface {
   std::vector<Vec3> points;
   std::vector<std::array<std::uint32_t, 3>> triangles;
 
-  double volume = 0;             ///< m^3
-  Vec3 centre{0, 0, 0};          ///< m, of the volume
-  Mat3 inertia = Mat3::Zero();   ///< m^5, about `centre`, at density 1
-  double radius = 0;             ///< m, of the farthest point from `centre`
+  double volume = 0;            ///< m^3
+  Vec3 centre{0, 0, 0};         ///< m, of the volume
+  Mat3 inertia = Mat3::Zero();  ///< m^5, about `centre`, at density 1
+  double radius = 0;            ///< m, of the farthest point from `centre`
   /// Unit outward normals of each triangle, and at each point the mean over its triangles, weighted
   /// by their angles [Baerentzen and Aanaes 2005]. The sign of the distance along it separates
   /// inside from outside.
@@ -71,8 +71,8 @@ Result<SolidSurface> make_solid_surface(TriangleSurface triangles, std::string f
 /// Signed distance of a point (m, the surface's own coordinates) and its gradient. The pseudonormal
 /// at the nearest triangle, edge or point gives the exact sign.
 struct SurfacePoint {
-  double gap = 0;           ///< m, negative inside
-  Vec3 normal{0, 0, 1};     ///< unit
+  double gap = 0;        ///< m, negative inside
+  Vec3 normal{0, 0, 1};  ///< unit
 };
 SurfacePoint distance_to_surface(const SolidSurface& surface, const Vec3& point);
 

@@ -53,14 +53,16 @@ std::vector<Finding> check_rows(const TriangleSurface& s) {
     if (!s.points[p].allFinite()) bad.push_back(static_cast<std::int64_t>(p));
   }
   if (!bad.empty()) {
-    return {finding("nan_coordinate", bad, these(bad, "point") + " with a coordinate that is no number",
+    return {finding("nan_coordinate", bad,
+                    these(bad, "point") + " with a coordinate that is no number",
                     "write the surface again with finite coordinates")};
   }
   for (std::size_t t = 0; t < s.triangles.size(); ++t) {
     const auto& c = s.triangles[t];
     const auto id = static_cast<std::int64_t>(t);
     if (std::ranges::any_of(c, [&](std::uint32_t p) { return p >= s.points.size(); })) {
-      return {finding("index_out_of_range", {id}, "triangle " + std::to_string(t) + " names a point that is not there",
+      return {finding("index_out_of_range", {id},
+                      "triangle " + std::to_string(t) + " names a point that is not there",
                       "correct its corners")};
     }
     const Vec3 a = s.points[c[1]] - s.points[c[0]], b = s.points[c[2]] - s.points[c[0]];
@@ -92,18 +94,21 @@ std::vector<Finding> check_edges(const TriangleSurface& s) {
   for (std::vector<std::int64_t>* ids : {&open, &many, &turned}) sort_unique(*ids);
   std::vector<Finding> found;
   if (!open.empty()) {
-    found.push_back(finding("open_surface", open, these(open, "triangle") + " with an edge where the surface is open",
+    found.push_back(finding("open_surface", open,
+                            these(open, "triangle") + " with an edge where the surface is open",
                             "close the surface: every edge needs two triangles"));
   }
   if (!many.empty()) {
-    found.push_back(finding("non_manifold_surface", many,
-                            these(many, "triangle") + " with an edge that has more than two",
-                            "part the surface there, or give each solid as an obstacle of its own"));
+    found.push_back(
+        finding("non_manifold_surface", many,
+                these(many, "triangle") + " with an edge that has more than two",
+                "part the surface there, or give each solid as an obstacle of its own"));
   }
   if (!turned.empty()) {
-    found.push_back(finding("wrong_orientation", turned,
-                            these(turned, "triangle") + " that faces the other way than its neighbour",
-                            "turn triangles so that all are counter-clockwise from outside"));
+    found.push_back(
+        finding("wrong_orientation", turned,
+                these(turned, "triangle") + " that faces the other way than its neighbour",
+                "turn triangles so that all are counter-clockwise from outside"));
   }
   return found;
 }
@@ -130,9 +135,10 @@ std::vector<Finding> check_points(const TriangleSurface& s) {
     if (steps != degree[p]) pinched.push_back(p);
   }
   if (pinched.empty()) return {};
-  return {finding("non_manifold_surface", pinched,
-                  these(pinched, "point") + " where parts of the surface hang together by that point alone",
-                  "part the surface there, or give each solid as an obstacle of its own")};
+  return {finding(
+      "non_manifold_surface", pinched,
+      these(pinched, "point") + " where parts of the surface hang together by that point alone",
+      "part the surface there, or give each solid as an obstacle of its own")};
 }
 
 /// Full turns that triangles make around a point [Van Oosterom and Strackee 1983].
@@ -229,11 +235,10 @@ std::vector<Finding> check_solid(const SolidSurface& s) {
   }
   const auto [a, b] = meeting_triangles(s);
   if (a == b) return check_shells(s);
-  return {finding("self_intersection",
-                  {static_cast<std::int64_t>(a), static_cast<std::int64_t>(b)},
-                  "triangles " + std::to_string(a) + " and " + std::to_string(b) +
-                      " go through each other",
-                  "mend the surface so that it does not meet itself")};
+  return {finding(
+      "self_intersection", {static_cast<std::int64_t>(a), static_cast<std::int64_t>(b)},
+      "triangles " + std::to_string(a) + " and " + std::to_string(b) + " go through each other",
+      "mend the surface so that it does not meet itself")};
 }
 
 std::array<std::size_t, 2> meeting_triangles(const SolidSurface& s) {

@@ -14,7 +14,7 @@ struct WaveScratch {
   LumpedContacts contacts;
   LumpedBonds bonds;
   std::vector<std::uint32_t> rigid_of_component, rigid_of_obstacle;
-  std::vector<ContactPoint> kept;  ///< the contacts of the last part, with gaps as it ended
+  std::vector<ContactPoint> kept;    ///< the contacts of the last part, with gaps as it ended
   std::size_t vertices_of_kept = 0;  ///< how many vertices there were then
   /// The last search for contacts: where vertices were (m), how they moved (m/s), how long its
   /// contacts are to last, and how long ago it was (s).

@@ -57,7 +57,8 @@ double visit(LumpedBond& bond, WaveNodes& nodes, double step) {
   return step * response * change.norm() / bond.opening_end;
 }
 
-/// Sets the bound of a bond by its opening as the step ends. Gives the relative change of the bound.
+/// Sets the bound of a bond by its opening as the step ends. Gives the relative change of the
+/// bound.
 double set_bound(LumpedBond& bond, const TiePair& pair, const WaveNodes& nodes,
                  const RowStep& step) {
   const Vec3 end = bond.opening + step.length * slip_of(bond, nodes);

@@ -36,8 +36,8 @@ struct LumpedBonds {
 void make_bonds(LumpedBonds& bonds, std::span<const TiePair> pairs, std::span<const Vec3> first,
                 const WaveBodies& waves);
 
-/// Measures openings as a step begins, and applies the impulses of the last step. Bounds follow from
-/// the openings that these lead to. The sweeps then solve a convex problem.
+/// Measures openings as a step begins, and applies the impulses of the last step. Bounds follow
+/// from the openings that these lead to. The sweeps then solve a convex problem.
 void begin_bonds(LumpedBonds& bonds, std::span<const TiePair> pairs, WaveNodes& nodes,
                  const RowStep& step);
 

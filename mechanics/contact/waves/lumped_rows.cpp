@@ -48,9 +48,8 @@ void strike(const LumpedSide& side, const Vec3& impulse, LumpedContacts& contact
     body.spin += body.inverse_inertia * side.arm.cross(impulse);
     return;
   }
-  for_each_end(side, contacts, [&](const LumpedEnd& end) {
-    push_node(nodes, end.node, end.weight * impulse);
-  });
+  for_each_end(side, contacts,
+               [&](const LumpedEnd& end) { push_node(nodes, end.node, end.weight * impulse); });
 }
 
 Vec3 slip_of(const LumpedRow& row, const LumpedContacts& contacts, const WaveNodes& nodes) {
@@ -116,8 +115,8 @@ Vec3 wanted_impulse(const LumpedRow& row, const Vec3& slip, double step) {
   return wanted * row.normal + friction;
 }
 
-/// Gives a row the impulse that it should have; by how much that changed a velocity, m/s. Nothing: its
-/// sides are apart, and stay so.
+/// Gives a row the impulse that it should have; by how much that changed a velocity, m/s. Nothing:
+/// its sides are apart, and stay so.
 std::optional<double> relax(LumpedRow& row, LumpedContacts& contacts, WaveNodes& nodes,
                             double step) {
   const Vec3 slip = slip_of(row, contacts, nodes);

@@ -24,9 +24,9 @@ struct WaveRigid {
   Vec3 spin{0, 0, 0};                                   ///< rad/s
   Vec3 velocity_before{0, 0, 0}, spin_before{0, 0, 0};  ///< as the step at hand began
   Vec3 turned{0, 0, 0};                                 ///< rad, since the last turn
-  Vec3 missed{0, 0, 0};  ///< N m s, since then: of `twist`, that `spin` does not contain yet
-  double since_turn = 0;                                ///< s
-  Vec3 impulse{0, 0, 0};                                ///< N s, got in the part from contacts
+  Vec3 missed{0, 0, 0};        ///< N m s, since then: of `twist`, that `spin` does not contain yet
+  double since_turn = 0;       ///< s
+  Vec3 impulse{0, 0, 0};       ///< N s, got in the part from contacts
   Vec3 twist{0, 0, 0};         ///< N m s, from contacts and loads, about its centre where that was
   Vec3 fall{0, 0, 0};          ///< m/s^2: gravity, where it acts
   Vec3 weight_place{0, 0, 0};  ///< m s: places of the centre, times the lengths of steps
@@ -110,11 +110,12 @@ void begin_rows(LumpedContacts& contacts, WaveNodes& nodes, const RowStep& step)
 /// velocity, m/s. Notes the rows that press, or would overlap, as `pressed`.
 double sweep_rows(LumpedContacts& contacts, WaveNodes& nodes, double step);
 
-/// The same over the rows noted alone. Others may have come to overlap: `sweep_rows` has the last word.
+/// The same over the rows noted alone. Others may have come to overlap: `sweep_rows` has the last
+/// word.
 double sweep_pressed(LumpedContacts& contacts, WaveNodes& nodes, double step);
 
-/// Adds the impulses of a step to the sums of the part. Both sides get an impulse at the place of A.
-/// The nodes of B miss a part of its moment, and `twist` gets that part. So momentum and angular
+/// Adds the impulses of a step to the sums of the part. Both sides get an impulse at the place of
+/// A. The nodes of B miss a part of its moment, and `twist` gets that part. So momentum and angular
 /// momentum are conserved to rounding after any number of sweeps.
 void settle_rows(LumpedContacts& contacts, const WaveBodies& waves);
 

@@ -42,9 +42,9 @@ struct ScaledCells {
 };
 
 /// Chooses the cells that are scaled, and takes them out of `WaveNodes::stiffness`. All other nodes
-/// allow the step aimed at: 96 per cent of all or more. The share is the one of largest gain with small
-/// clusters. No cell is scaled where the gain is less than a half. `is_scaled`: row = TetId. Needs:
-/// nodes and their sums of stiffness.
+/// allow the step aimed at: 96 per cent of all or more. The share is the one of largest gain with
+/// small clusters. No cell is scaled where the gain is less than a half. `is_scaled`: row = TetId.
+/// Needs: nodes and their sums of stiffness.
 void choose_scaled_cells(WaveBodies& waves, std::vector<char>& is_scaled,
                          const MechanicsState& state, const StepInput& input);
 

@@ -56,9 +56,9 @@ struct WaveBody {
   double mass = 0;          ///< kg
   double mass_damping = 0;  ///< 1/s: factor of the mass, on rates of deformation
   bool supported = false;
-  Vec3 frame_velocity{0, 0, 0};  ///< m/s, of a supported one
-  Pose frame;                    ///< algorithm 2 where the nodes were at the last kick
-  Vec3 weight_place{0, 0, 0};    ///< m s: places of the mass centre, times the lengths of kicks
+  Vec3 frame_velocity{0, 0, 0};     ///< m/s, of a supported one
+  Pose frame;                       ///< algorithm 2 where the nodes were at the last kick
+  Vec3 weight_place{0, 0, 0};       ///< m s: places of the mass centre, times the lengths of kicks
   Impulse loads = Impulse::Zero();  ///< N s and N m s about the origin: got from surface loads
   /// The last forces and their kick: R, R [y]x of the torque's share, and its length, s.
   struct Kick {

@@ -69,12 +69,11 @@ void describe(V& v, Material& m) {
               Range{.low = 0, .without_low = true, .with_infinity = true}, false,
               "concrete is about 3e6 Pa"},
           m.tensile_strength);
-  v.field(
-      Key{"toughness", "Pa sqrt(m)",
-          "Fracture toughness K_Ic; replaces the strength at crack tips. If it is left out and "
-          "fracture_energy is given: sqrt(E G_c / (1 - nu^2))",
-          above(0), false, "leave it out or give about 1e6 for concrete"},
-      m.toughness);
+  v.field(Key{"toughness", "Pa sqrt(m)",
+              "Fracture toughness K_Ic; replaces the strength at crack tips. If it is left out and "
+              "fracture_energy is given: sqrt(E G_c / (1 - nu^2))",
+              above(0), false, "leave it out or give about 1e6 for concrete"},
+          m.toughness);
   v.field(Key{"fracture_energy", "J/m^2",
               "Fracture energy G_c: cracks take it with fracture.crack cohesive, and the toughness "
               "of crack tips follows from it; without it K_Ic^2 (1 - nu^2) / E",

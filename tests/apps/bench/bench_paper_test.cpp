@@ -61,9 +61,8 @@ std::vector<std::vector<std::string>> read_markdown(const std::string& path,
 TEST_CASE("the paper's tables are all there, ours beside, the same in text, CSV and Markdown",
           "[apps][bench][paper]") {
   const Workplace here;
-  const Outcome outcome =
-      here.run({"bench", "paper", "--quick", "--csv",
-                here.path("p.csv"), "--markdown", here.path("p.md")});
+  const Outcome outcome = here.run(
+      {"bench", "paper", "--quick", "--csv", here.path("p.csv"), "--markdown", here.path("p.md")});
   INFO(outcome.err);
   REQUIRE(outcome.exit_code == 0);
   const std::map<std::string, double> csv = read_csv(here.path("p.csv"));

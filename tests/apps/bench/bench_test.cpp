@@ -35,8 +35,8 @@ struct NoPrograms {
 
 TEST_CASE("the quick kernel bench tells counts that can be checked", "[apps][bench]") {
   const Workplace here;
-  const Outcome outcome = here.run({"bench", "kernel", "--quick", "--runs", "1", "--json", "--csv",
-                                    here.path("k.csv")});
+  const Outcome outcome = here.run(
+      {"bench", "kernel", "--quick", "--runs", "1", "--json", "--csv", here.path("k.csv")});
   INFO(outcome.err);
   REQUIRE(outcome.exit_code == 0);
   const json answer = outcome.json();
@@ -98,7 +98,6 @@ TEST_CASE("the quick kernel bench tells counts that can be checked", "[apps][ben
     ++rows;
   }
   CHECK(rows == answer["figures"].size());
-
 }
 
 TEST_CASE("the kernel's times are drawn", "[apps][bench]") {

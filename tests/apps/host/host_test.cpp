@@ -302,7 +302,8 @@ TEST_CASE("pieces tell where they came from, crack fronts are edges inside a bod
     if (report_of(engine).fans == 0) continue;
     const auto front = column<std::uint32_t>(engine, SUNDER_CRACK_FRONT);
     const auto piece = column<std::uint32_t>(engine, SUNDER_PIECE);
-    for (std::size_t e = 0; e < front.size(); e += 2) CHECK(piece.at(front[e]) == piece.at(front[e + 1]));
+    for (std::size_t e = 0; e < front.size(); e += 2)
+      CHECK(piece.at(front[e]) == piece.at(front[e + 1]));
     fronts += front.size() / 2;
   }
   CHECK(fronts > 0);
@@ -331,7 +332,8 @@ TEST_CASE("a piece that comes off is drawn where it was, and follows smoothly", 
   while (report_of(engine).pieces == 1) {
     REQUIRE(report_of(engine).step < 600);
     old_centre = column<float>(engine, SUNDER_REST_CENTRE);
-    for (const auto kind : {SUNDER_DRAWN_POSE, SUNDER_POSE}) old[kind] = column<float>(engine, kind);
+    for (const auto kind : {SUNDER_DRAWN_POSE, SUNDER_POSE})
+      old[kind] = column<float>(engine, kind);
     REQUIRE(sunder_step(engine.get(), nullptr) == 0);
   }
   const auto centre = column<float>(engine, SUNDER_REST_CENTRE);
@@ -342,7 +344,8 @@ TEST_CASE("a piece that comes off is drawn where it was, and follows smoothly", 
     for (std::size_t i = 0; i < 3; ++i) {
       const Eigen::Map<const Eigen::Quaternionf> turn(&old[kind][4]);
       const Eigen::Map<const Eigen::Vector3f> from(&old_centre[0]), to(&centre[4]);
-      const Eigen::Vector3f before = Eigen::Map<Eigen::Vector3f>(&old[kind][0]) + turn * (to - from);
+      const Eigen::Vector3f before =
+          Eigen::Map<Eigen::Vector3f>(&old[kind][0]) + turn * (to - from);
       sum += std::pow(now[8 + i] - before[static_cast<Eigen::Index>(i)], 2);
     }
     return std::sqrt(sum);
@@ -355,11 +358,13 @@ TEST_CASE("points on cracks that are surfaces are brought near them", "[host]") 
   const Engine engine = monolith({"fracture.crack=object"});
   REQUIRE(engine);
   for (int i = 0; i < 300; ++i) sunder_step(engine.get(), nullptr);
-  const auto rest = column<float>(engine, SUNDER_REST), smooth = column<float>(engine, SUNDER_SMOOTH);
+  const auto rest = column<float>(engine, SUNDER_REST),
+             smooth = column<float>(engine, SUNDER_SMOOTH);
   REQUIRE(rest.size() == smooth.size());
   CHECK(rest != smooth);
   float farthest = 0;
-  for (std::size_t i = 0; i < rest.size(); ++i) farthest = std::max(farthest, std::abs(rest[i] - smooth[i]));
+  for (std::size_t i = 0; i < rest.size(); ++i)
+    farthest = std::max(farthest, std::abs(rest[i] - smooth[i]));
   CHECK(farthest < 0.3f);  // edges are about as long
 }
 

@@ -301,7 +301,8 @@ TEST_CASE("rotations are an axis and degrees, directions need no unit length", "
 TEST_CASE("cracks are drawn smooth only where they have planes", "[run][scene]") {
   const json scene = cube_scene();
   CHECK(read(scene)->output.crack_surface == CrackSurface::mesh);
-  const Result<SceneFile> refused = read(scene, {"output.crack_surface=smooth", "fracture.crack=paper"});
+  const Result<SceneFile> refused =
+      read(scene, {"output.crack_surface=smooth", "fracture.crack=paper"});
   REQUIRE_FALSE(refused);
   REQUIRE(refused.findings.size() == 1);
   CHECK(refused.findings[0].code == "no_crack_planes");

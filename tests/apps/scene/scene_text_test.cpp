@@ -21,7 +21,8 @@ SceneText text_of(const std::string& bytes) {
 TEST_CASE("keys that are given are listed as --set takes them", "[run][scene]") {
   const auto text = parse_scene_text(R"({"a": {"b": 1, "c": {"d": 2}}, "e": [{"f": 3}]})", "");
   REQUIRE(text);
-  CHECK(given_keys(text->root) == std::vector<std::string>{"a", "a.b", "a.c", "a.c.d", "e", "e.0.f"});
+  CHECK(given_keys(text->root) ==
+        std::vector<std::string>{"a", "a.b", "a.c", "a.c.d", "e", "e.0.f"});
 }
 
 TEST_CASE("every value knows its line", "[run][scene_text]") {

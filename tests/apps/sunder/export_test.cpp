@@ -56,7 +56,8 @@ TEST_CASE("tracks of pieces are their rigid motions", "[export]") {
 }
 
 TEST_CASE("faces that cracks made are told from the body's own", "[export]") {
-  for (const PieceTrack& track : piece_tracks(two_pieces(Eigen::Quaterniond::Identity(), {0, 0, 1}))) {
+  for (const PieceTrack& track :
+       piece_tracks(two_pieces(Eigen::Quaterniond::Identity(), {0, 0, 1}))) {
     CHECK(track.outer.size() == 3);
     CHECK(track.crack.size() == 1);
     double volume = 0;

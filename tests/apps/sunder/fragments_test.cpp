@@ -172,7 +172,8 @@ TEST_CASE("sunder fragments draws the sizes of a run", "[run][fragments]") {
   const Folder folder;
   const std::string out = (folder.path() / "out").string(),
                     png = (folder.path() / "sizes.png").string();
-  REQUIRE(run_program("run " SUNDER_SCENES "/charts/monolith.json --set duration=0.05 --quiet -o " + out)
+  REQUIRE(run_program("run " SUNDER_SCENES "/charts/monolith.json --set duration=0.05 --quiet -o " +
+                      out)
               .exit_code == 0);
   CHECK(run_program("fragments " + out + " --png " + png).exit_code == 0);
   CHECK(bytes_of(png).starts_with("\x89PNG"));
@@ -181,10 +182,11 @@ TEST_CASE("sunder fragments draws the sizes of a run", "[run][fragments]") {
 TEST_CASE("sunder fragments reads a run and tells its sizes", "[run][fragments]") {
   const Folder folder;
   const std::string out = (folder.path() / "out").string();
-  const Outcome ran = run_program("run " SUNDER_SCENES
-                                  "/charts/monolith.json --set duration=0.05 --set fracture.crack=paper --quiet "
-                                  "--frames 2 -o " +
-                                  out);
+  const Outcome ran =
+      run_program("run " SUNDER_SCENES
+                  "/charts/monolith.json --set duration=0.05 --set fracture.crack=paper --quiet "
+                  "--frames 2 -o " +
+                  out);
   INFO(ran.text());
   REQUIRE(ran.exit_code == 0);
   const Outcome text = run_program("fragments " + out);

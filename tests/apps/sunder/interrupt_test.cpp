@@ -106,10 +106,9 @@ TEST_CASE("a signal in a step that does not end leaves the step's start", "[run]
   const Workplace here;
   const std::string out = here.path("out"), err = here.path("err");
   // One step, in which the bunny shatters: sub-steps of an impact, too many to come to an end here.
-  const pid_t child =
-      start({"run", SUNDER_SCENES "/bunny.json", "--set", "time_step=2", "--set",
-             "impact.max_sub_steps=1000000", "-o", out},
-            err);
+  const pid_t child = start({"run", SUNDER_SCENES "/bunny.json", "--set", "time_step=2", "--set",
+                             "impact.max_sub_steps=1000000", "-o", out},
+                            err);
   wait_for(child, [&] { return bytes_of(err).find("step 0/1  t = ") != std::string::npos; });
   kill(child, SIGTERM);
   CHECK(ended(child) == 130);

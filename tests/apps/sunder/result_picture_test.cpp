@@ -72,7 +72,8 @@ TEST_CASE("obstacles of a report are read back", "[render]") {
       {.shape = Plane{Vec3(0, 0.6, 0.8), 0.25}},
       {.shape = Sphere{{1, 2, 3}, 0.5}, .velocity = {4, 5, 6}, .mass = 7.0},
       {.shape = Box{{1, 2, 3}, turn, {0.1, 0.2, 0.3}}, .velocity = {1, 0, 0}},
-      {.shape = Solid{std::make_shared<const SolidSurface>(*make_solid_surface(cone)), {1, 1, 1}, turn}}};
+      {.shape = Solid{
+           std::make_shared<const SolidSurface>(*make_solid_surface(cone)), {1, 1, 1}, turn}}};
   const Result<std::vector<Obstacle>> read =
       read_obstacles(nlohmann::json::parse(obstacles_json(all).dump()));
   REQUIRE(read);
@@ -82,7 +83,8 @@ TEST_CASE("obstacles of a report are read back", "[render]") {
     CHECK((*read)[k].velocity == all[k].velocity);
     CHECK((*read)[k].mass == all[k].mass);
     const Vec3 place(0.3, 0.4, 0.9);
-    CHECK(surface_distance((*read)[k].shape, place).gap == surface_distance(all[k].shape, place).gap);
+    CHECK(surface_distance((*read)[k].shape, place).gap ==
+          surface_distance(all[k].shape, place).gap);
   }
   const auto bad = read_obstacles(nlohmann::json::parse(R"([{"plane": {"normal": [0, 0]}}])"));
   CHECK_FALSE(bad);
@@ -93,28 +95,29 @@ TEST_CASE("a run is drawn, exported with keys where it is struck, and its end wr
           "[render]") {
   const Workplace here;
   const std::string out = here.path("out");
-  REQUIRE(here.run({"run", (fs::path(SUNDER_MESHES) / "scenes/charts/monolith.json").string(), "-o", out,
-                    "--frames", "3", "--quiet", "--set", "duration=0.06", "--set",
+  REQUIRE(here.run({"run", (fs::path(SUNDER_MESHES) / "scenes/charts/monolith.json").string(), "-o",
+                    out, "--frames", "3", "--quiet", "--set", "duration=0.06", "--set",
                     "output.frames_at_impacts=true"})
               .exit_code == 0);
   const Result<RunResult> run = read_run_result(out);
   REQUIRE(run);
   CHECK(run->frames.size() > 3);
   REQUIRE(run->frames.back().obstacles.size() == 3);
-  CHECK(run->pieces.size() == std::set(run->frames.back().component.begin(),
-                                       run->frames.back().component.end())
-                                  .size());
+  CHECK(run->pieces.size() ==
+        std::set(run->frames.back().component.begin(), run->frames.back().component.end()).size());
   for (const auto& [id, piece] : run->pieces) CHECK(piece.mass > 0);
   const Vec3 ball = pose_of(run->frames.back().obstacles[1].shape).centre;
   CHECK(ball.y() > pose_of(run->frames.front().obstacles[1].shape).centre.y() + 0.3);
 
-  const auto drawn = here.run({"render", out, here.path("end.png"), "--explode", "0.5", "--size", "320,200"});
+  const auto drawn =
+      here.run({"render", out, here.path("end.png"), "--explode", "0.5", "--size", "320,200"});
   CHECK(drawn.exit_code == 0);
   CHECK(fs::file_size(here.path("end.png")) > 1000);
   // A bent body is drawn elsewhere where it is bent more, and the rigid reference is not.
   const auto bent = [&](const char* shape, const char* factor) {
     const std::string picture = here.path("bent.png");
-    CHECK(here.run({"render", out, picture, "--show", shape, "--magnify", factor, "--size", "320,200"})
+    CHECK(here.run({"render", out, picture, "--show", shape, "--magnify", factor, "--size",
+                    "320,200"})
               .exit_code == 0);
     return bytes_of(picture);
   };
@@ -136,9 +139,8 @@ TEST_CASE("a run is drawn, exported with keys where it is struck, and its end wr
 
   CHECK(here.run({"export", out, here.path("broken.msh")}).exit_code == 0);
   const auto checked = here.run({"check", here.path("broken.msh"), "--json"});
-  CHECK(checked.json()["counts"]["components"] == std::set(run->frames.back().component.begin(),
-                                                 run->frames.back().component.end())
-                                            .size());
+  CHECK(checked.json()["counts"]["components"] ==
+        std::set(run->frames.back().component.begin(), run->frames.back().component.end()).size());
 }
 
 TEST_CASE("the demo breaks something, and keeps its hands off other files", "[demo]") {

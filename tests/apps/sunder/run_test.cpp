@@ -66,7 +66,9 @@ void hold_scene(const std::string& name, double duration) {
 
 }  // namespace
 
-TEST_CASE("the struck monolith's map passes every law", "[run]") { hold_scene("charts/monolith", 0.1); }
+TEST_CASE("the struck monolith's map passes every law", "[run]") {
+  hold_scene("charts/monolith", 0.1);
+}
 
 // Two minutes: not part of ctest. sunder_run_tests "[scenes]"
 TEST_CASE("the maps of all three scenes pass every law at their end", "[.][scenes]") {
@@ -124,9 +126,9 @@ TEST_CASE("two runs of a scene that breaks leave the same bytes", "[run]") {
   }
   CHECK(frames == 3);
   const json report = json::parse(bytes_of(folder.path() / "a/report.json"));
-  for (const char* key : {"steps", "step_ms", "stage_ms", "fans", "faces_split", "components",
-                          "fragments", "gershgorin", "oracle", "momentum", "energy", "warnings",
-                          "settings"}) {
+  for (const char* key :
+       {"steps", "step_ms", "stage_ms", "fans", "faces_split", "components", "fragments",
+        "gershgorin", "oracle", "momentum", "energy", "warnings", "settings"}) {
     INFO(key);
     CHECK(report.contains(key));
   }

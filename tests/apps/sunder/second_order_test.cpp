@@ -11,8 +11,8 @@
 #include "fracture/simulation/simulation_state.hpp"
 #include "fracture/simulation/statics/statics.hpp"
 #include "tests/support/program.hpp"
-#include "topology/kernel/edges.hpp"
 #include "topology/io/mesh_file.hpp"
+#include "topology/kernel/edges.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
 
 using namespace sunder;

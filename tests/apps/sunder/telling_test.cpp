@@ -57,7 +57,8 @@ constexpr const char* red = "\033[1;31merror:\033[0m";
 
 }  // namespace
 
-TEST_CASE("colours are for terminals that are not dumb, unless NO_COLOR is set", "[apps][telling]") {
+TEST_CASE("colours are for terminals that are not dumb, unless NO_COLOR is set",
+          "[apps][telling]") {
   const Terminal terminal;
   const int file = open("/dev/null", O_WRONLY);
   setenv("TERM", "xterm", 1);
@@ -94,7 +95,8 @@ TEST_CASE("the word error is red on a terminal and plain elsewhere", "[apps][tel
     CHECK(text.find("error: ") != std::string::npos);
     CHECK(text.find('\033') == std::string::npos);
   }
-  CHECK(here.run({"convert", here.path("none.msh"), "x.vtu"}).err.find('\033') == std::string::npos);
+  CHECK(here.run({"convert", here.path("none.msh"), "x.vtu"}).err.find('\033') ==
+        std::string::npos);
 }
 
 TEST_CASE("quiet leaves errors and the result, and nothing else", "[apps][telling]") {

@@ -99,8 +99,8 @@ struct Bullet {
     if (way.sat) hull->initializePolyhedralFeatures();
     const Eigen::Quaterniond q = b.orientation * Eigen::Quaterniond(axes);
     const btTransform pose({q.x(), q.y(), q.z(), q.w()}, to_bullet(scale * b.centre));
-    btRigidBody& body = add(std::move(hull), b.mass, to_bullet(scale * scale * principal.eigenvalues()),
-                            pose, b.friction);
+    btRigidBody& body = add(std::move(hull), b.mass,
+                            to_bullet(scale * scale * principal.eigenvalues()), pose, b.friction);
     body.setLinearVelocity(to_bullet(scale * b.momentum / b.mass));
   }
 
@@ -145,7 +145,10 @@ void print(const char* who, double time, double ms, const std::vector<SeenPart>&
 /// A chip let go above the floor: its final position by both programs.
 void one_chip(const BulletWay& way, int per_second) {
   RubbleScene scene = ground();
-  add_tetrahedron(scene, {Vec3(0, 0, 1e-3), Vec3(0.01, 0, 1e-3), Vec3(0.01, 0.01, 1e-3), Vec3(0.01, 0.01, 0.011)}, 2400);
+  add_tetrahedron(
+      scene,
+      {Vec3(0, 0, 1e-3), Vec3(0.01, 0, 1e-3), Vec3(0.01, 0.01, 1e-3), Vec3(0.01, 0.01, 0.011)},
+      2400);
   Bullet bullet(scene, way);
   RubbleSettings settings;
   settings.gravity = {0, 0, -9.81};
@@ -156,10 +159,12 @@ void one_chip(const BulletWay& way, int per_second) {
     bullet.world.stepSimulation(settings.length, 0);
   }
   const btRigidBody& b = *bullet.bodies[1];
-  std::printf("# one chip after 2 s: ours centre %.5f mm, speed %.2g m/s; Bullet centre %.5f mm, speed %.2g m/s, %s\n",
-              1e3 * scene.bodies[1].centre.z(), scene.bodies[1].momentum.norm() / scene.bodies[1].mass,
-              1e3 * b.getWorldTransform().getOrigin().z() / scale,
-              b.getLinearVelocity().length() / scale, b.isActive() ? "awake" : "asleep");
+  std::printf(
+      "# one chip after 2 s: ours centre %.5f mm, speed %.2g m/s; Bullet centre %.5f mm, speed "
+      "%.2g m/s, %s\n",
+      1e3 * scene.bodies[1].centre.z(), scene.bodies[1].momentum.norm() / scene.bodies[1].mass,
+      1e3 * b.getWorldTransform().getOrigin().z() / scale, b.getLinearVelocity().length() / scale,
+      b.isActive() ? "awake" : "asleep");
 }
 
 }  // namespace
@@ -179,7 +184,9 @@ int main(int argc, char** argv) {
   settings.gravity = {0, 0, -9.81};
   settings.length = 1.0 / ours_per_second;
   RubbleScratch scratch;
-  std::puts("who,time,ms a step,pairs,deepest %,mean %,below floor,lost,deepest below %,height mm,radius mm,centre mm");
+  std::puts(
+      "who,time,ms a step,pairs,deepest %,mean %,below floor,lost,deepest below %,height mm,radius "
+      "mm,centre mm");
   for (double time = 0; time < seconds - 1e-9; time += 0.25) {
     double start = thread_ms();
     for (int k = 0; k < ours_per_second / 4; ++k) {

@@ -168,8 +168,7 @@ std::vector<Triangle> delaunay(const std::vector<Plane>& given) {
 }
 
 TetMesh plate_mesh(const PlateShape& shape) {
-  const PlaneMesh plane =
-      shape.cells == PlateCells::delaunay ? shaken_lattice(shape) : grid(shape);
+  const PlaneMesh plane = shape.cells == PlateCells::delaunay ? shaken_lattice(shape) : grid(shape);
   double area = 0;
   for (const Triangle& t : plane.triangles) {
     area += 0.5 * cross(plane.points[t[0]], plane.points[t[1]], plane.points[t[2]]);

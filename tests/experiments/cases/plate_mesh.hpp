@@ -29,9 +29,9 @@ struct PlateShape {
   double thickness = 0.0025;           ///< m, of one layer
   int layers = 1;
   PlateCells cells = PlateCells::kuhn;
-  std::uint64_t seed = 1;         ///< Delaunay: turns the lattice by any angle, and shakes it
-  double shake = 0.2;             ///< Delaunay: farthest move of a point along an axis, over `cell`
-  std::vector<PlateLine> lines;   ///< Delaunay: where edges have to be; grids have them if they fit
+  std::uint64_t seed = 1;        ///< Delaunay: turns the lattice by any angle, and shakes it
+  double shake = 0.2;            ///< Delaunay: farthest move of a point along an axis, over `cell`
+  std::vector<PlateLine> lines;  ///< Delaunay: where edges have to be; grids have them if they fit
 };
 
 using Triangle = std::array<std::uint32_t, 3>;

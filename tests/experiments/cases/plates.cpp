@@ -34,7 +34,8 @@ PlateCase slab(PlateShape shape, const PlateLine& notch, const Material& materia
                 .box = RestBox{{notch.from - eps, -wide, -wide}, {notch.to + eps, wide, wide}},
                 .ball = {}}};
   if (choice.plane_strain) {
-    body.held = {{.minimum = {-wide, -wide, -wide}, .maximum = {wide, wide, wide}, .axes = {Axis::z}}};
+    body.held = {
+        {.minimum = {-wide, -wide, -wide}, .maximum = {wide, wide, wide}, .axes = {Axis::z}}};
   }
   plate.scene.bodies = {body};
   plate.scene.gravity.acceleration.setZero();
@@ -86,7 +87,8 @@ PlateCase kalthoff_plate(const PlateChoice& choice) {
   PlateCase plate = slab(shape, {0, 0.05, height}, material, choice);
   std::vector<HeldBox>& held = plate.scene.bodies[0].held;
   const double eps = 1e-6 * plate.shape.cell;
-  held.push_back({.minimum = {-wide, -wide, -wide}, .maximum = {wide, eps, wide}, .axes = {Axis::y}});
+  held.push_back(
+      {.minimum = {-wide, -wide, -wide}, .maximum = {wide, eps, wide}, .axes = {Axis::y}});
   const double speed = choice.rate > 0 ? choice.rate : 16.5;
   held.push_back({.minimum = {-wide, -wide, -wide},
                   .maximum = {eps, height - eps, wide},
@@ -183,8 +185,7 @@ TipPlace tip_of(const std::vector<CrackTrace>& traces, const PlateCase& plate, d
     }
     const auto ring = std::size_t(distance / (2 * cell));
     rings.resize(std::max(rings.size(), ring + 1));
-    rings[ring].push_back(
-        std::atan2(trace.y - plate.notch.height, trace.x - notch_tip(plate)));
+    rings[ring].push_back(std::atan2(trace.y - plate.notch.height, trace.x - notch_tip(plate)));
   }
   for (std::size_t r = 1; r < rings.size(); ++r) {
     std::vector<double>& angle = rings[r];

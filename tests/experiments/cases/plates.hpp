@@ -25,11 +25,11 @@ struct PlateChoice {
   double cell = 0;  ///< m
   PlateCells cells = PlateCells::kuhn;
   std::uint64_t seed = 1;
-  double strength = 0;  ///< Pa
-  double rate = 0;      ///< m/s: speed of the striking or pulling body
-  double ramp = -1;     ///< s over which that speed is raised; negative: the case's
-  double frame = -1;    ///< m: how deep the arms of tension are held; negative: the case's
-  double step = 0;      ///< s
+  double strength = 0;       ///< Pa
+  double rate = 0;           ///< m/s: speed of the striking or pulling body
+  double ramp = -1;          ///< s over which that speed is raised; negative: the case's
+  double frame = -1;         ///< m: how deep the arms of tension are held; negative: the case's
+  double step = 0;           ///< s
   bool plane_strain = true;  ///< false: the slab's faces are free, as they always are in tension
 };
 
@@ -48,9 +48,9 @@ PlateCase compact_tension(const PlateChoice& choice);
 
 /// A crack face seen along z.
 struct CrackTrace {
-  double x = 0, y = 0;            ///< m, its middle at rest
+  double x = 0, y = 0;             ///< m, its middle at rest
   std::array<Point, 3> corners{};  ///< m, at rest
-  bool released = false;          ///< else tied
+  bool released = false;           ///< else tied
 };
 
 /// New crack faces (of each pair one), the notch's left out.
@@ -62,10 +62,10 @@ std::vector<CrackTrace> main_crack(const std::vector<CrackTrace>& traces, const 
 
 /// Where a crack's tip is, and how many branches there are behind it.
 struct TipPlace {
-  double time = 0;        ///< s
-  double x = 0, y = 0;    ///< m, of the released face farthest from the notch's tip
-  double reach = 0;       ///< m, its distance from there; 0: none is released
-  double tied = 0;        ///< m, the same of the farthest face that is tied
+  double time = 0;           ///< s
+  double x = 0, y = 0;       ///< m, of the released face farthest from the notch's tip
+  double reach = 0;          ///< m, its distance from there; 0: none is released
+  double tied = 0;           ///< m, the same of the farthest face that is tied
   std::size_t branches = 0;  ///< most groups of released faces on one circle about the notch's tip
   double fork = 0;           ///< m, radius of the smallest circle with two groups or more; 0: none
 };

@@ -22,10 +22,10 @@ BlowOutcome run_blow(std::uint64_t number);
 
 struct BlowCounts {
   std::uint64_t blows = 0;
-  std::uint64_t broke = 0;          ///< with windows at every blow
-  std::uint64_t missed = 0;         ///< of those: no window by energy, must be 0
-  std::uint64_t needless = 0;       ///< window by energy, but nothing broke with any
-  std::uint64_t spared = 0;         ///< window at every blow, none by energy
+  std::uint64_t broke = 0;     ///< with windows at every blow
+  std::uint64_t missed = 0;    ///< of those: no window by energy, must be 0
+  std::uint64_t needless = 0;  ///< window by energy, but nothing broke with any
+  std::uint64_t spared = 0;    ///< window at every blow, none by energy
   std::uint64_t spared_by_pair = 0, spared_by_island = 0;
 };
 

@@ -19,9 +19,7 @@ namespace {
 using chain::Pulse;
 
 /// m, from the front to the free end at the start: on every mesh the same where the rise is.
-double stand_off(const Spall& spall) {
-  return spall.front_length > 0 ? 0.02 : 3.0 / spall.cells;
-}
+double stand_off(const Spall& spall) { return spall.front_length > 0 ? 0.02 : 3.0 / spall.cells; }
 
 /// s, that a run lasts: the pulse has gone.
 double duration(const Spall& spall, double c) { return 1.3 * spall.length / c; }

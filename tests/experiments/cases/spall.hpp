@@ -17,11 +17,11 @@ namespace sunder::accuracy {
 /// compression, and breaks on behind the first layer, however fine the mesh is.
 struct Spall {
   int cells = 150, across = 1;
-  double length = 0.4;     ///< l, m
-  double peak = 1.5;       ///< s0 / xi
-  double front = 8;        ///< cells
-  double step = 0.25;      ///< of a wave's way through a cell
-  double viscosity = 0.1;  ///< C = this (cell / c) K
+  double length = 0.4;      ///< l, m
+  double peak = 1.5;        ///< s0 / xi
+  double front = 8;         ///< cells
+  double step = 0.25;       ///< of a wave's way through a cell
+  double viscosity = 0.1;   ///< C = this (cell / c) K
   double front_length = 0;  ///< m: the rise where it is not to depend on the cells
   std::optional<double> fracture_energy = {};  ///< G_c, J/m^2: cohesive cracks
 };

@@ -103,7 +103,8 @@ double Chain::stress(std::size_t node) const {
   const std::size_t next = node + 1 < nodes() ? node + 1 : 0;
   if (next == 0 && settings_.shape == Shape::bar) return 0;
   const ChainSide &from = right_[node], &to = left_[next];
-  const double longer = along_ * (to.along - from.along) + outwards_ * (to.outwards + from.outwards);
+  const double longer =
+      along_ * (to.along - from.along) + outwards_ * (to.outwards + from.outwards);
   return settings_.young_modulus * longer / cell_;
 }
 
@@ -209,8 +210,8 @@ ChainEnergy Chain::energy() const {
   ChainEnergy e{.before = before_, .contact = contact_, .damped = damped_};
   for (std::size_t k = 0; k < nodes(); ++k) {
     for (const ChainSide* side : {&left_[k], &right_[k]}) {
-      const double squared = side->along_speed * side->along_speed +
-                             side->outwards_speed * side->outwards_speed;
+      const double squared =
+          side->along_speed * side->along_speed + side->outwards_speed * side->outwards_speed;
       e.kinetic += side->mass * squared / 2;
     }
     e.strain += cell_ / (2 * settings_.young_modulus) * stress_[k] * stress(k);

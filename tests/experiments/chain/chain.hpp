@@ -14,11 +14,11 @@ enum class Shape { ring, bar };
 /// The settings of a chain. All numbers > 0.
 struct ChainSettings {
   Shape shape = Shape::bar;
-  double young_modulus = 30e9;   ///< E, Pa
-  double density = 2400;         ///< rho, kg/m^3
-  double fracture_energy = 33;   ///< G_c, J/m^2
-  double length = 1;             ///< m, of a bar; a ring has 2 pi
-  double step = 0.1;             ///< of a wave's way through a cell, < 1
+  double young_modulus = 30e9;  ///< E, Pa
+  double density = 2400;        ///< rho, kg/m^3
+  double fracture_energy = 33;  ///< G_c, J/m^2
+  double length = 1;            ///< m, of a bar; a ring has 2 pi
+  double step = 0.1;            ///< of a wave's way through a cell, < 1
   /// The stress of a bar is E times the strain plus E times this (cell / c) times the rate of
   /// strain. The former decides about strength. >= 0, and with the step: step^2 + 2 step viscosity
   /// < 1.
@@ -36,8 +36,8 @@ struct ChainTie {
 
 /// One side of a node: the mass on the bar to its left or on the one to its right.
 struct ChainSide {
-  double mass = 0;                  ///< kg/m^2 of cross-section
-  double along = 0, outwards = 0;   ///< m, displacements; outwards is along the ring's radius
+  double mass = 0;                 ///< kg/m^2 of cross-section
+  double along = 0, outwards = 0;  ///< m, displacements; outwards is along the ring's radius
   double along_speed = 0, outwards_speed = 0;  ///< m/s, half a step earlier
 };
 
@@ -45,10 +45,10 @@ struct ChainSide {
 struct ChainEnergy {
   double before = 0;  ///< after the first step
   double kinetic = 0, strain = 0;
-  double stored = 0;     ///< in ties that have opened in part
-  double dissipated = 0; ///< by the law, up to the largest openings
-  double contact = 0;    ///< in impacts of the two sides of a node, and of closing ties
-  double damped = 0;     ///< in bars, by viscosity
+  double stored = 0;      ///< in ties that have opened in part
+  double dissipated = 0;  ///< by the law, up to the largest openings
+  double contact = 0;     ///< in impacts of the two sides of a node, and of closing ties
+  double damped = 0;      ///< in bars, by viscosity
 };
 
 /// Masses between bars with central differences, strain linear in displacements. A node splits into
@@ -99,7 +99,7 @@ class Chain {
   double along_ = 1, outwards_ = 0;  ///< cosine and sine of half the angle of a bar
   std::vector<ChainSide> left_, right_;
   std::vector<ChainTie> ties_;
-  std::vector<double> stress_;  ///< Pa, of bars, where the masses were a step before
+  std::vector<double> stress_;   ///< Pa, of bars, where the masses were a step before
   std::vector<double> viscous_;  ///< Pa, of bars, in the last step
   double before_ = 0, contact_ = 0, damped_ = 0;
 };

@@ -34,7 +34,7 @@ struct Pulse {
 /// Number of fragments of a ring 2 pi m round with cohesive sections of equal strength.
 struct RingLaw {
   double young_modulus = 30e9, density = 2400, strength = 3e6, fracture_energy = 33;  ///< SI
-  double rate = 1.5;  ///< 1/s
+  double rate = 1.5;                                                                  ///< 1/s
 };
 
 /// m, mean size of a fragment [Zhou, Molinari and Ramesh 2006]: s / s0 = 4.5 / (1 + 4.5 e^(2/3)),

@@ -15,16 +15,16 @@ namespace sunder::test {
 
 /// One frame: the part that viewers see.
 struct JudgedFrame {
-  std::vector<Vec3> points;                             ///< m
-  std::vector<Vec3> velocity;                           ///< m/s, row = point; may be empty
-  std::vector<Vec3> shift;                              ///< m, from the rest shape; may be empty
+  std::vector<Vec3> points;                              ///< m
+  std::vector<Vec3> velocity;                            ///< m/s, row = point; may be empty
+  std::vector<Vec3> shift;                               ///< m, from the rest shape; may be empty
   std::vector<std::array<std::uint32_t, 4>> tetrahedra;  ///< rows of points
-  std::vector<std::uint32_t> piece;                     ///< row = tetrahedron
+  std::vector<std::uint32_t> piece;                      ///< row = tetrahedron
 };
 
 /// The judge's findings.
 struct Verdict {
-  SeenOverlaps overlaps;    ///< parts are tetrahedra
+  SeenOverlaps overlaps;  ///< parts are tetrahedra
   std::size_t pieces = 0;
   std::size_t below = 0;    ///< vertices below the floor by more than a thousandth of the mean edge
   double lowest = 0;        ///< m, of the vertices below the floor, >= 0

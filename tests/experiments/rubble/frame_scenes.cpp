@@ -49,7 +49,8 @@ Scene boxes_scene(unsigned seed, double scale) {
     BodySettings body = box_body(0.02 * scale * Vec3(1 + any(), 1 + any(), 1 + any()));
     const Eigen::Vector4d q(any() - 0.5, any() - 0.5, any() - 0.5, any() - 0.5);
     body.rotation = Eigen::Quaterniond(q).normalized();
-    body.translation = scale * Vec3(0.075 * (k % 3 - 1), 0.075 * (k / 3 % 3 - 1), 0.05 + 0.075 * (k / 9));
+    body.translation =
+        scale * Vec3(0.075 * (k % 3 - 1), 0.075 * (k / 3 % 3 - 1), 0.05 + 0.075 * (k / 9));
     body.velocity = {0, 0, -std::sqrt(scale)};
     scene.bodies.push_back(std::move(body));
   }
@@ -68,9 +69,8 @@ Scene wall_scene() {
       scene.bodies.push_back(std::move(body));
     }
   }
-  scene.obstacles.push_back({.shape = Sphere{{0, -0.2, 0.6}, 0.06},
-                             .velocity = {0, 6, 0},
-                             .mass = 2.0});
+  scene.obstacles.push_back(
+      {.shape = Sphere{{0, -0.2, 0.6}, 0.06}, .velocity = {0, 6, 0}, .mass = 2.0});
   return scene;
 }
 

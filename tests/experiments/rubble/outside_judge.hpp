@@ -19,9 +19,9 @@ struct SeenPart {
 
 /// Overlaps of parts of different pieces.
 struct SeenOverlaps {
-  double deepest = 0, mean = 0;  ///< m; the mean over all pairs that overlap
-  std::size_t pairs = 0;         ///< that overlap
-  double edge = 0;               ///< m, mean over all edges of all parts
+  double deepest = 0, mean = 0;          ///< m; the mean over all pairs that overlap
+  std::size_t pairs = 0;                 ///< that overlap
+  double edge = 0;                       ///< m, mean over all edges of all parts
   std::array<std::uint32_t, 2> where{};  ///< rows of the parts that overlap most, the lower first
 };
 
@@ -43,7 +43,8 @@ struct SeenMass {
 /// The shape of a heap on the ground z = 0.
 struct HeapShape {
   double height = 0;  ///< m, below which nine tenths of the mass lie
-  double radius = 0;  ///< m, within which nine tenths lie, about the upright axis of the mass centre
+  double radius =
+      0;  ///< m, within which nine tenths lie, about the upright axis of the mass centre
   double centre = 0;  ///< m, height of the mass centre
 };
 HeapShape see_heap(std::span<const SeenMass> masses);

@@ -86,9 +86,9 @@ void print_modes(const Scene& s, unsigned threads) {
               s.ladder.sleep ? "on" : "off");
   std::printf("fracture.crack %s, mode %s, smallest_piece %g kg, threads %u\n",
               name_of(s.fracture.crack),
-              s.fracture.mode == FractureMode::off
-                  ? "off"
-                  : s.fracture.mode == FractureMode::all ? "all" : "budget",
+              s.fracture.mode == FractureMode::off   ? "off"
+              : s.fracture.mode == FractureMode::all ? "all"
+                                                     : "budget",
               s.fracture.smallest_piece, threads);
 }
 
@@ -99,8 +99,8 @@ void print_judgement(const Simulation& sim) {
   std::printf(
       "judge: %zu pairs overlap, deepest %.3f %% (pieces %u and %u), mean %.4f %% of the mean edge "
       "%.2f mm\n",
-      seen.pairs, percent * seen.deepest, parts[seen.where[0]].piece, parts[seen.where[1]].piece, percent * seen.mean,
-      1e3 * seen.edge);
+      seen.pairs, percent * seen.deepest, parts[seen.where[0]].piece, parts[seen.where[1]].piece,
+      percent * seen.mean, 1e3 * seen.edge);
   const BelowPlanes below = below_planes(sim, 0.02 * seen.edge);
   std::printf("below the floor: %.3f %% (%.3g mm, piece %u); %zu pieces by more than 2 %%\n",
               percent * std::max(0.0, below.depth), 1e3 * below.depth, below.piece, below.pieces);
@@ -113,12 +113,12 @@ void watch_floor(const Simulation& sim, double time, bool& told) {
   if (below.pieces == 0) return;
   told = true;
   const Component& c = sim.state->mechanics.components[below.piece];
-  std::printf("first below the floor: %.4f s, piece %u, %zu tetrahedra, rung %d%s, %.3g mm, born in "
-              "step %llu, at %.3g m/s\n",
-              time, below.piece, c.tetrahedra.size(), static_cast<int>(c.rung),
-              c.rigid ? ", rigid" : "", 1e3 * below.depth,
-              static_cast<unsigned long long>(sim.state->birth_step[below.piece]),
-              c.momentum.norm() / c.mass);
+  std::printf(
+      "first below the floor: %.4f s, piece %u, %zu tetrahedra, rung %d%s, %.3g mm, born in "
+      "step %llu, at %.3g m/s\n",
+      time, below.piece, c.tetrahedra.size(), static_cast<int>(c.rung), c.rigid ? ", rigid" : "",
+      1e3 * below.depth, static_cast<unsigned long long>(sim.state->birth_step[below.piece]),
+      c.momentum.norm() / c.mass);
 }
 
 /// One line of the judge's findings.
@@ -151,16 +151,14 @@ void print_awake(const Simulation& sim) {
   for (std::size_t k = 0; k < std::min(most, awake.size()); ++k) {
     const Component& c = *awake[k];
     const std::vector<double>& quiet = sim.state->impact.quiet;
-    const bool is_open =
-        c.id.index() < quiet.size() && quiet[c.id.index()] != ImpactWindow::closed;
+    const bool is_open = c.id.index() < quiet.size() && quiet[c.id.index()] != ImpactWindow::closed;
     double fastest = 0;
     for (const VertexId v : c.vertices) {
       fastest = std::max(fastest, sim.state->mechanics.vertices.velocity[v.index()].norm());
     }
     std::printf("awake: piece %u, %zu tetrahedra, rung %d%s, %.3g m/s, fastest vertex %.3g m/s%s\n",
-                unsigned(c.id.index()),
-                c.tetrahedra.size(), static_cast<int>(c.rung), c.rigid ? ", rigid" : "",
-                c.momentum.norm() / c.mass, fastest,
+                unsigned(c.id.index()), c.tetrahedra.size(), static_cast<int>(c.rung),
+                c.rigid ? ", rigid" : "", c.momentum.norm() / c.mass, fastest,
                 is_open ? ", in a window" : "");
   }
 }
@@ -180,9 +178,10 @@ Result<Scene> scene_of(const Options& o) {
 int main(int argc, char** argv) {
   const Options o = read_options(argc, argv);
   if (o.scene.empty()) {
-    std::fputs("usage: rubble_frames SCENE.json|boxes|wall [KEY=VALUE...] [--threads N] "
-               "[--seconds S] [--seed K] [--scale X] [--trace T]\n",
-               stderr);
+    std::fputs(
+        "usage: rubble_frames SCENE.json|boxes|wall [KEY=VALUE...] [--threads N] "
+        "[--seconds S] [--seed K] [--scale X] [--trace T]\n",
+        stderr);
     return 2;
   }
   Result<Scene> scene = scene_of(o);
@@ -238,11 +237,11 @@ int main(int argc, char** argv) {
   }
   const PieceCount count = count_pieces(*sim);
   const double end = rest >= 0 ? rest : time;
-  std::printf("first touch %.4f s, %s %.3f s later; %zu pieces, %zu asleep; %zu fans\n", frames.start,
-              rest >= 0 ? "all asleep" : "ended", end - frames.start, count.pieces, count.asleep,
-              fans);
-  std::printf("%zu ticks; islands mixed %zu times, refused %zu; windows %zu\n", ticks, mixed, refused,
-              windows);
+  std::printf("first touch %.4f s, %s %.3f s later; %zu pieces, %zu asleep; %zu fans\n",
+              frames.start, rest >= 0 ? "all asleep" : "ended", end - frames.start, count.pieces,
+              count.asleep, fans);
+  std::printf("%zu ticks; islands mixed %zu times, refused %zu; windows %zu\n", ticks, mixed,
+              refused, windows);
   print_frames("thread", frames.thread, end - frames.start);
   print_frames("all threads", frames.process, end - frames.start);
   if (rest >= 0) print_frames("asleep, thread", asleep.thread, time - rest);

@@ -49,8 +49,8 @@ int main(int argc, char** argv) {
     const Sums sums = sums_of(scene, settings.gravity);
     std::printf("%.3f,%.2f,%.2f,%.2f,%.2f,%u,%u,%u,%u,%.3g,%.3g,%.3g,%.3g\n", k * settings.length,
                 spent / every, broad / every, narrow / every, solve / every, report.awake,
-                report.pairs, report.manifolds, report.points, sums.kinetic, seen.deepest, seen.mean,
-                below_ground(parts));
+                report.pairs, report.manifolds, report.points, sums.kinetic, seen.deepest,
+                seen.mean, below_ground(parts));
     std::fflush(stdout);
     spent = broad = narrow = solve = 0;
   }

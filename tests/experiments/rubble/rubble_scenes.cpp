@@ -111,7 +111,8 @@ RubbleScene broken_block(std::array<int, 3> cubes, double cell, const Vec3& low,
 std::vector<SeenPart> parts_of(const RubbleScene& scene) {
   std::vector<SeenPart> parts;
   for (const RubbleShape& shape : scene.shapes) {
-    if (shape.kind == RubbleShape::Kind::half_space || shape.kind == RubbleShape::Kind::ball) continue;
+    if (shape.kind == RubbleShape::Kind::half_space || shape.kind == RubbleShape::Kind::ball)
+      continue;
     const RubbleBody& b = scene.bodies[shape.body];
     parts.push_back({polytope_of(shape, b.centre, b.orientation.toRotationMatrix()), shape.body});
   }

@@ -3,6 +3,7 @@
 // through the C functions: balls shot, vertices pulled for half a second, plane cuts, all at
 // random. Prints the cost of frames of 1/60 s, and whether all numbers are numbers, no mass is
 // lost, memory is flat.
+#include <unistd.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,7 +15,6 @@
 #include <iterator>
 #include <random>
 #include <string>
-#include <unistd.h>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -44,7 +44,8 @@ double memory() {
   return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1e6;
 }
 
-sunder_engine* open_scene(const std::filesystem::path& path, const std::vector<const char*>& settings) {
+sunder_engine* open_scene(const std::filesystem::path& path,
+                          const std::vector<const char*>& settings) {
   const std::string text = bytes_of(path), name = path.string();
   std::vector<std::string> names, contents;
   const auto json = nlohmann::json::parse(text);
@@ -80,8 +81,8 @@ std::vector<float> floats(sunder_engine* engine, sunder_column column) {
 struct Player {
   sunder_engine* engine;
   std::mt19937_64 random;
-  double size = 0;      ///< m, of the scene at its start
-  double release = -1;  ///< s, when the spring ends; below 0: there is none
+  double size = 0;                    ///< m, of the scene at its start
+  double release = -1;                ///< s, when the spring ends; below 0: there is none
   std::array<std::size_t, 3> done{};  ///< shots, pulls, cuts
   std::size_t refused = 0;
 
@@ -116,7 +117,8 @@ struct Player {
     sunder_action a = action(SUNDER_SHOOT);
     const Place at = target().second;
     const double turn = between(0, 6.283), steep = between(0.2, 1.4), speed = between(1, 10);
-    const Place out = {std::cos(steep) * std::cos(turn), std::cos(steep) * std::sin(turn), std::sin(steep)};
+    const Place out = {std::cos(steep) * std::cos(turn), std::cos(steep) * std::sin(turn),
+                       std::sin(steep)};
     for (std::size_t k = 0; k < 3; ++k) {
       a.point[k] = at[k] + size * out[k];
       a.vector[k] = -speed * out[k];
@@ -193,7 +195,8 @@ void print_histogram(std::vector<double> frames) {
   std::size_t from = 0;
   std::ranges::sort(frames);
   for (const double limit : {1., 2., 4., 8., 16., 33., 66., 133., 266., 533., 1066., 1e99}) {
-    const auto end = static_cast<std::size_t>(std::ranges::lower_bound(frames, limit) - frames.begin());
+    const auto end =
+        static_cast<std::size_t>(std::ranges::lower_bound(frames, limit) - frames.begin());
     std::printf("%g: %zu\n", limit, end - from);
     from = end;
   }
@@ -234,13 +237,15 @@ int main(int argc, char** argv) {
     player.let_go(time);
     const double before = thread_ms();
     int failed = 0;
-    while (failed == 0 && report.time + 0.5 * report.time_step < static_cast<double>(frame + 1) / 60) {
+    while (failed == 0 &&
+           report.time + 0.5 * report.time_step < static_cast<double>(frame + 1) / 60) {
       failed = sunder_step(engine, &report);
     }
     frames.push_back(thread_ms() - before);
     spent += frames.back();
     if (failed != 0 || !all_numbers(engine)) {
-      std::printf("failed at %.4f s: %s\n", report.time, failed ? sunder_error(engine) : "not a number");
+      std::printf("failed at %.4f s: %s\n", report.time,
+                  failed ? sunder_error(engine) : "not a number");
       return 5;
     }
     if ((frame + 1) % 1800 == 0 || frame + 1 == count) {

@@ -56,13 +56,17 @@ int main(int argc, char** argv) {
   const double seconds = argc > 2 ? std::atof(argv[2]) : 2;
   const int faster = argc > 3 ? std::atoi(argv[3]) : 4;
   const int sub_steps = argc > 4 ? std::atoi(argv[4]) : RubbleSettings{}.sub_steps;
-  std::puts("seed,per second,height mm,radius mm,centre mm,awake,ms a second,deepest mm,mean mm,below mm");
+  std::puts(
+      "seed,per second,height mm,radius mm,centre mm,awake,ms a second,deepest mm,mean mm,below "
+      "mm");
   std::array<double, 3> sum{}, fast_sum{}, square{};
   for (int seed = 1; seed <= seeds; ++seed) {
     std::array<Outcome, 2> both;
     for (int k = 0; k < 2; ++k) {
       const int rate = k == 0 ? 240 : 240 * faster;
-      const Outcome o = both[std::size_t(k)] = heap_of(static_cast<unsigned>(seed), seconds, rate, k == 0 ? sub_steps : RubbleSettings{}.sub_steps);
+      const Outcome o = both[std::size_t(k)] =
+          heap_of(static_cast<unsigned>(seed), seconds, rate,
+                  k == 0 ? sub_steps : RubbleSettings{}.sub_steps);
       std::printf("%d,%d,%.2f,%.2f,%.2f,%u,%.0f,%.4f,%.4f,%.4f\n", seed, rate, 1e3 * o.shape.height,
                   1e3 * o.shape.radius, 1e3 * o.shape.centre, o.awake, o.ms, 1e3 * o.seen.deepest,
                   1e3 * o.seen.mean, 1e3 * o.below);

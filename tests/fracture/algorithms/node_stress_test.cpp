@@ -57,8 +57,8 @@ TEST_CASE("the node stress of a star equals that of the whole pass to the bit", 
   std::vector<Mat3> stress;
   average_node_stress(stress, body.elements(), body.cells.map.vertices());
   for (std::size_t v = 0; v < stress.size(); ++v) {
-    REQUIRE(stress[v] == node_stress_of_star(body.elements(),
-                                              vertex_star(body.cells.map, VertexId{v}).corners));
+    REQUIRE(stress[v] ==
+            node_stress_of_star(body.elements(), vertex_star(body.cells.map, VertexId{v}).corners));
   }
 }
 

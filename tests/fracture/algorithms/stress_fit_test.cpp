@@ -146,11 +146,10 @@ TEST_CASE("the fit equals its slow twin while cracks go through its patches", "[
     random_stress(body, random);
     fit_node_stress(stress, fit, body.cells.map, body.elements());
     for (std::size_t v = 0; v < stress.size(); ++v) {
-      const Mat3 twin =
-          fit.patches[v].fitted
-              ? slow_fit(body, VertexId{v})
-              : node_stress_of_star(body.elements(),
-                                              vertex_star(body.cells.map, VertexId{v}).corners);
+      const Mat3 twin = fit.patches[v].fitted
+                            ? slow_fit(body, VertexId{v})
+                            : node_stress_of_star(body.elements(),
+                                                  vertex_star(body.cells.map, VertexId{v}).corners);
       REQUIRE((stress[v] - twin).norm() < 1e-10);
     }
     crack(body, random, 25);

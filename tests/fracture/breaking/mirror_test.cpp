@@ -172,7 +172,8 @@ TEST_CASE("the first breaking step of a mirror-symmetric body is mirror-symmetri
   // 5).
   const std::uint64_t first = order == 1 ? 0 : 20;
   for (std::uint64_t seed = first; seed < first + 12; ++seed) {
-    INFO("crack " << int(crack) << " seed " << seed << " field " << int(field) << " joint " << int(joint) << " order " << order);
+    INFO("crack " << int(crack) << " seed " << seed << " field " << int(field) << " joint "
+                  << int(joint) << " order " << order);
     const MirrorBody body = mirror_body(seed, joint, seed / 3 % 3, 0.37 * (seed % 2));
     // A vertex on the plane is on the fronts of two cracks that are images, and takes one.
     const bool holds = chooses || crack == CrackMode::object;

@@ -71,8 +71,7 @@ TEST_CASE("keys that are described as chosen are those that are", "[fracture][se
 TEST_CASE("what is told is what is set, and what is given stays", "[fracture][settings]") {
   for (const Accuracy accuracy : {Accuracy::preview, Accuracy::good, Accuracy::reference}) {
     Scene scene = falling(5);
-    const std::vector<std::string> given = {"contact", "contact.max_passes",
-                                            "impact.negligible"};
+    const std::vector<std::string> given = {"contact", "contact.max_passes", "impact.negligible"};
     scene.contact.max_passes = 77;
     scene.impact.negligible = 0.5;
     const std::vector<Choice> choices = choose_settings(scene, accuracy, given);

@@ -122,7 +122,8 @@ TEST_CASE("a bar that strikes a wall has the stress of rho c v, at any step",
   CHECK(peak == Approx(stress).epsilon(0.05));
 }
 
-TEST_CASE("pieces that nothing strikes are rigid within explicit steps alone", "[fracture][impact]") {
+TEST_CASE("pieces that nothing strikes are rigid within explicit steps alone",
+          "[fracture][impact]") {
   Scene scene = struck_block(1);
   scene.fracture.crack = CrackMode::object;
   scene.bodies[0].material.tensile_strength = 2e5;

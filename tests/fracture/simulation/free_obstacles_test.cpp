@@ -20,7 +20,8 @@ Eigen::Quaterniond turn(double angle, const Vec3& axis) {
   return Eigen::Quaterniond(Eigen::AngleAxisd(angle, axis.normalized()));
 }
 
-BodySettings block(const Vec3& at, const std::array<int, 3>& cells = {2, 2, 2}, double size = 0.02) {
+BodySettings block(const Vec3& at, const std::array<int, 3>& cells = {2, 2, 2},
+                   double size = 0.02) {
   BodySettings body;
   body.mesh = suite::kuhn_box(cells, size);
   body.material.tensile_strength = 1e12;
@@ -34,8 +35,12 @@ Solid box_mesh(const Vec3& half_extent, const Vec3& center = Vec3::Zero(),
   const Shape box = Box{Vec3::Zero(), Eigen::Quaterniond::Identity(), half_extent};
   TriangleSurface s;
   for (std::uint32_t k = 0; k < 8; ++k) s.points.push_back(corner_at(box, k));
-  for (const auto& f : {std::array<std::uint32_t, 4>{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
-                        {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}) {
+  for (const auto& f : {std::array<std::uint32_t, 4>{0, 4, 6, 2},
+                        {1, 3, 7, 5},
+                        {0, 1, 5, 4},
+                        {2, 6, 7, 3},
+                        {0, 2, 3, 1},
+                        {4, 5, 7, 6}}) {
     s.triangles.push_back({f[0], f[1], f[2]});
     s.triangles.push_back({f[0], f[2], f[3]});
   }
@@ -167,7 +172,8 @@ TEST_CASE("a box as a mesh does what the box does", "[free][solid]") {
     scene.obstacles[1].velocity = {0.5, 0, 0};
     if (driven) scene.obstacles[1].mass.reset();
     Simulation sim = built(scene);
-    for (int k = 0; k < (driven ? 90 : 120); ++k) REQUIRE(advance(sim).status.outcome == StepOutcome::fine);
+    for (int k = 0; k < (driven ? 90 : 120); ++k)
+      REQUIRE(advance(sim).status.outcome == StepOutcome::fine);
     std::vector<Vec3> places;
     for (const Component& c : sim.state->mechanics.components) places.push_back(c.centre);
     places.push_back(pose_of(sim.state->obstacles[1].shape).centre);
@@ -202,8 +208,8 @@ TEST_CASE("a sharp corner does not sink into a large face", "[solid][free]") {
   const Eigen::Quaterniond upright =
       Eigen::Quaterniond::FromTwoVectors(Vec3(1, 1, 1), Vec3::UnitZ());
   const Vec3 side = Vec3::Constant(0.05 / std::sqrt(3));
-  scene.obstacles.push_back(
-      {.shape = is_box ? Shape(Box{{0, 0, 0}, upright, side}) : Shape(box_mesh(side, {0, 0, 0}, upright))});
+  scene.obstacles.push_back({.shape = is_box ? Shape(Box{{0, 0, 0}, upright, side})
+                                             : Shape(box_mesh(side, {0, 0, 0}, upright))});
   REQUIRE(corner_at(scene.obstacles[0].shape, 7).z() == Approx(0.05));
   Simulation sim = built(scene);
   double deepest = 0;
@@ -239,8 +245,9 @@ TEST_CASE("what is near a mesh stays with the elastic solver, and the report say
   Scene scene;
   scene.integrator.time_step = 1e-3;
   scene.ladder.rubble = RubbleMode::certified;
-  scene.obstacles.push_back({.shape = as_mesh ? Shape(box_mesh({0.2, 0.2, 0.05}, {0, 0, -0.05}))
-                                              : Shape(Box{{0, 0, -0.05}, {1, 0, 0, 0}, {0.2, 0.2, 0.05}})});
+  scene.obstacles.push_back(
+      {.shape = as_mesh ? Shape(box_mesh({0.2, 0.2, 0.05}, {0, 0, -0.05}))
+                        : Shape(Box{{0, 0, -0.05}, {1, 0, 0, 0}, {0.2, 0.2, 0.05}})});
   scene.bodies = {block({0, 0, 0.01})};
   scene.bodies[0].rigid = true;
   Simulation sim = built(scene);

@@ -25,7 +25,8 @@ BodySettings cube_at(const Vec3& place, double density) {
 
 }  // namespace
 
-TEST_CASE("ten blocks of mass 1 and 100 in turns stand at the settings chosen", "[fracture][contact]") {
+TEST_CASE("ten blocks of mass 1 and 100 in turns stand at the settings chosen",
+          "[fracture][contact]") {
   // With 200 iterations they sink by 0.2 and 0.5 mm.
   const double time_step = GENERATE(2e-3, 3e-3);
   Scene scene;

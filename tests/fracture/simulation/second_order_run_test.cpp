@@ -73,8 +73,8 @@ TEST_CASE("a cantilever of order 2 comes to rest where statics says", "[order][r
   Scene scene;
   scene.bodies.push_back(body({10, 1, 1}, 0.1));
   scene.bodies[0].held = {{.minimum = {-1, -1, -1}, .maximum = {1e-6, 9, 9}}};
-  scene.bodies[0].loads = {{.minimum = {-1, -1, 0.1 - 1e-6}, .maximum = {99, 9, 9},
-                            .pressure = 1e3, .ramp_time = 0.5}};
+  scene.bodies[0].loads = {
+      {.minimum = {-1, -1, 0.1 - 1e-6}, .maximum = {99, 9, 9}, .pressure = 1e3, .ramp_time = 0.5}};
   scene.gravity.acceleration.setZero();
   scene.fracture.mode = FractureMode::off;
   scene.integrator.time_step = 1e-3;
@@ -85,7 +85,7 @@ TEST_CASE("a cantilever of order 2 comes to rest where statics says", "[order][r
   REQUIRE(sim.state->mechanics.vertices.size() > sim.bodies[0].end_point);
   for (int k = 0; k < 3000; ++k) advance(sim);
   const std::vector<Vec3>&moved = sim.state->mechanics.vertices.displacement,
-  &wanted = still->state->mechanics.vertices.displacement;
+        &wanted = still->state->mechanics.vertices.displacement;
   REQUIRE(moved.size() == wanted.size());
   double worst = 0, most = 0;
   for (std::size_t i = 0; i < moved.size(); ++i) {
@@ -96,19 +96,22 @@ TEST_CASE("a cantilever of order 2 comes to rest where statics says", "[order][r
   CHECK(worst < 1e-6 * most);
 }
 
-TEST_CASE("blocks of order 2 pressed together: stress is even and the same in both", "[order][contact]") {
+TEST_CASE("blocks of order 2 pressed together: stress is even and the same in both",
+          "[order][contact]") {
   // nu = 0: no friction is asked for, and the solution is exact. Faces bulge by less than gaps are
   // tolerated: they have to be met where they bulge.
-  const auto [pressure, friction] = GENERATE(std::pair(1e4, 0.0), std::pair(1e5, 0.0),
-                                             std::pair(1e4, 0.5), std::pair(1e6, 0.5));
+  const auto [pressure, friction] =
+      GENERATE(std::pair(1e4, 0.0), std::pair(1e5, 0.0), std::pair(1e4, 0.5), std::pair(1e6, 0.5));
   Scene scene;
   for (const double z : {0.0, 0.2}) {
     scene.bodies.push_back(body({2, 2, 2}, 0.1));
     scene.bodies.back().material.poisson_ratio = 0;
     scene.bodies.back().translation = {0, 0, z};
   }
-  scene.bodies[1].loads = {{.minimum = {-1, -1, 0.2 - 1e-6}, .maximum = {9, 9, 9},
-                            .pressure = pressure, .ramp_time = 0.05}};
+  scene.bodies[1].loads = {{.minimum = {-1, -1, 0.2 - 1e-6},
+                            .maximum = {9, 9, 9},
+                            .pressure = pressure,
+                            .ramp_time = 0.05}};
   scene.obstacles.push_back({Plane{}});
   scene.gravity.acceleration.setZero();
   scene.fracture.mode = FractureMode::off;
@@ -132,8 +135,9 @@ TEST_CASE("blocks of order 2 pressed together: stress is even and the same in bo
   CHECK(worst < 1e-4 * pressure);
 }
 
-TEST_CASE("a bar of order 2 breaks: energy and momentum are accounted for, rows of edges stay whole",
-          "[order][run][fracture]") {
+TEST_CASE(
+    "a bar of order 2 breaks: energy and momentum are accounted for, rows of edges stay whole",
+    "[order][run][fracture]") {
   Scene scene = breaking_bar();
   scene.energy_ledger = true;
   Simulation sim = built(std::move(scene));
@@ -192,9 +196,8 @@ TEST_CASE("faces split by hand in a bar of order 2: pieces with their nodes", "[
   const VolumeMap& map = map_of(sim);
   for (std::size_t f = 0; f < 4 * map.tetrahedra(); ++f) {
     const auto corners = corners_of_face(map.corners(TetId{f / 4}), HalfFaceId{f});
-    const bool is_middle = std::ranges::all_of(corners, [&](VertexId v) {
-      return std::abs(map.point(v)[0] - 0.1) < 1e-9;
-    });
+    const bool is_middle = std::ranges::all_of(
+        corners, [&](VertexId v) { return std::abs(map.point(v)[0] - 0.1) < 1e-9; });
     if (is_middle) faces.push_back(HalfFaceId{f});
   }
   REQUIRE(faces.size() == 4);

@@ -109,7 +109,8 @@ TEST_CASE("a bar with one axis held has the stress of plane strain, turned or no
     BodySettings& body = scene.bodies[0];
     body.rotation = Eigen::AngleAxisd(angle, Vec3(1, 2, 3).normalized());
     body.held = {everywhere(Axis::z), plane(0), plane(1)};
-    body.loads = {{.minimum = {0.4 - 1e-6, -wide, -wide}, .maximum = Vec3::Constant(wide),
+    body.loads = {{.minimum = {0.4 - 1e-6, -wide, -wide},
+                   .maximum = Vec3::Constant(wide),
                    .pressure = -pull}};
     Simulation sim = built(scene);
     const Result<Equilibrium> answer = solve_scene(sim);
@@ -162,12 +163,11 @@ Scene pulled_halves(bool whole) {
   body.held = {plane(1)};
   body.held[0].axes = {Axis::y, Axis::z};
   if (!whole) body.held.push_back(plane(0));
-  body.loads = {{.minimum = {0.3 - 1e-6, -wide, -wide}, .maximum = Vec3::Constant(wide),
-                 .pressure = -1e5}};
+  body.loads = {
+      {.minimum = {0.3 - 1e-6, -wide, -wide}, .maximum = Vec3::Constant(wide), .pressure = -1e5}};
   if (whole) {
-    body.loads.push_back({.minimum = Vec3::Constant(-wide),
-                          .maximum = {-0.3 + 1e-6, wide, wide},
-                          .pressure = -1e5});
+    body.loads.push_back(
+        {.minimum = Vec3::Constant(-wide), .maximum = {-0.3 + 1e-6, wide, wide}, .pressure = -1e5});
   }
   return scene;
 }
@@ -302,8 +302,8 @@ TEST_CASE("what cannot be held along some axes is refused", "[fracture][held_axe
   CHECK(code(moved) == "velocity_not_held");
   moved.bodies[0].rotation = Eigen::AngleAxisd(M_PI / 2, Vec3::UnitY());
   CHECK(build_simulation(moved));
-  for (const Integrator integrator : {Integrator::verlet, Integrator::implicit_euler,
-                                      Integrator::modal, Integrator::newton_cg}) {
+  for (const Integrator integrator :
+       {Integrator::verlet, Integrator::implicit_euler, Integrator::modal, Integrator::newton_cg}) {
     Scene other = scene;
     other.integrator.integrator = integrator;
     CHECK(code(other) == "axes_not_supported");

@@ -31,7 +31,8 @@ Scene led_bar(double ramp, bool whole) {
               .ramp_time = ramp};
   if (!whole) {
     led.axes = {Axis::x};
-    bar.held = {{.minimum = {-wide, -wide, -wide}, .maximum = {wide, wide, wide}, .axes = {Axis::z}}};
+    bar.held = {
+        {.minimum = {-wide, -wide, -wide}, .maximum = {wide, wide, wide}, .axes = {Axis::z}}};
   }
   bar.held.push_back(led);
   scene.bodies = {bar};
@@ -45,11 +46,14 @@ double share_of_way(double time, double ramp) {
   return time < ramp ? time * time / (2 * ramp) : time - ramp / 2;
 }
 
-bool is_led(const VertexColumns& v, std::size_t row) { return v.rest_position[row].x() > 0.6 - 1e-6; }
+bool is_led(const VertexColumns& v, std::size_t row) {
+  return v.rest_position[row].x() > 0.6 - 1e-6;
+}
 
 }  // namespace
 
-TEST_CASE("mean velocities of supports are their ways over their times", "[fracture][support_ramp]") {
+TEST_CASE("mean velocities of supports are their ways over their times",
+          "[fracture][support_ramp]") {
   PrescribedMotion motion{.velocity = {7, 0, 0}};
   CHECK(mean_velocity(motion, 2, 3) == Vec3(7, 0, 0));
   motion.raised = {{{4, 0, 0}, 2.0}, {{0, 1, 0}, 0.0}};
@@ -70,7 +74,8 @@ TEST_CASE("held vertices go where a velocity that is raised takes them, and ledg
   INFO("whole " << whole << ", far end held " << far_end << ", ladder " << ladder);
   Scene scene = led_bar(ramp, whole);
   if (far_end) {
-    scene.bodies[0].held.push_back({.minimum = {-wide, -wide, -wide}, .maximum = {1e-6, wide, wide}});
+    scene.bodies[0].held.push_back(
+        {.minimum = {-wide, -wide, -wide}, .maximum = {1e-6, wide, wide}});
   }
   if (!ladder) scene.ladder = {.rigid = false, .quasi_static = false, .sleep = false};
   Simulation sim = built(scene);
@@ -142,7 +147,8 @@ TEST_CASE("a bar that a ramp tears goes on to the same bytes from any step of it
   BodySettings& bar = scene.bodies[0];
   bar.material = {.fracture_energy = 33};
   bar.held[1].velocity = {1, 0, 0};
-  bar.held.push_back({.minimum = {-wide, -wide, -wide}, .maximum = {1e-6, wide, wide}, .axes = {Axis::x}});
+  bar.held.push_back(
+      {.minimum = {-wide, -wide, -wide}, .maximum = {1e-6, wide, wide}, .axes = {Axis::x}});
   bar.cuts = {{.faces = CutPlane{.point = {0.3, 0, 0}, .normal = {1, 0, 0}},
                .box = RestBox{{-1, -1, -1}, {9, 0.1 + 1e-6, 9}},
                .ball = {}}};

@@ -248,7 +248,8 @@ TEST_CASE("copies that a fan made go on with the acceleration they had", "[ties]
   for (const auto& [pair, pull] : pulls) {
     const auto [a, b] = pair;
     const double mass_a = m.vertices.mass[a.index()], mass_b = m.vertices.mass[b.index()];
-    const Vec3 needed = (mass_b * elastic[a.index()] - mass_a * elastic[b.index()]) / (mass_a + mass_b);
+    const Vec3 needed =
+        (mass_b * elastic[a.index()] - mass_a * elastic[b.index()]) / (mass_a + mass_b);
     // The force that keeps the two together is one that their ties bear: to rounding; of order 2
     // the rest of the step has opened them by a twentieth of their way.
     const double beyond = order == 1 ? 1e-12 : 0.01;

@@ -72,10 +72,12 @@ TEST_CASE("ties released in random order part what union-find parts", "[ties]") 
     auto map = build_map(suite::kuhn_box({n + 1, n, 2}, 1));
     REQUIRE(map);
     std::vector<Vec3> rest;
-    for (std::size_t v = 0; v < map->vertices(); ++v) rest.emplace_back(map->point(VertexId{v}).data());
+    for (std::size_t v = 0; v < map->vertices(); ++v)
+      rest.emplace_back(map->point(VertexId{v}).data());
     const std::vector<Material> materials{Material{}};
     const std::vector<Corners> corners(map->corners().begin(), map->corners().end());
-    auto mechanics = make_state({.rest_positions = rest, .corners = corners, .materials = materials});
+    auto mechanics =
+        make_state({.rest_positions = rest, .corners = corners, .materials = materials});
     REQUIRE(mechanics);
     Cells cells = make_cells(std::move(*map), *mechanics);
     const DenseMap whole = cells.map.dense();

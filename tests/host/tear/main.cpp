@@ -33,8 +33,8 @@ HalfFaceId face_across(const Simulation& sim, VertexId v, const Vec3& pull) {
 }
 
 /// Tears the vertex with the largest stress beside its strength of those that can be; false when
-/// none passes it. `torn` is a column of one's own: how often the vertex, or the one it was once, has
-/// been torn.
+/// none passes it. `torn` is a column of one's own: how often the vertex, or the one it was once,
+/// has been torn.
 bool tear(Simulation& sim, std::vector<int>& torn) {
   struct Candidate {
     double ratio;

@@ -30,14 +30,16 @@ const Sphere& sphere_of(const ContactScene& scene) {
 
 }  // namespace
 
-TEST_CASE("a ball smaller than a cell rests on a block, on a face, an edge between cells or a vertex",
-          "[mechanics][contact]") {
+TEST_CASE(
+    "a ball smaller than a cell rests on a block, on a face, an edge between cells or a vertex",
+    "[mechanics][contact]") {
   const double radius = GENERATE(0.5, 0.1, 0.01);
-  const Vec3 place = GENERATE(Vec3(0.11, 0.23, 0), Vec3(0.2, 0.2, 0), Vec3(0, 0, 0), Vec3(0.3, 0, 0));
+  const Vec3 place =
+      GENERATE(Vec3(0.11, 0.23, 0), Vec3(0.2, 0.2, 0), Vec3(0, 0, 0), Vec3(0.3, 0, 0));
   INFO("radius " << radius << " at " << place.transpose());
   // The block is held by a plane below it.
-  ContactScene scene = ball_and_block({place + Vec3(0, 0, 0.5 + 1.2 * radius), radius},
-                                      Vec3(0, 0, -1), {2, 2, 2});
+  ContactScene scene =
+      ball_and_block({place + Vec3(0, 0, 0.5 + 1.2 * radius), radius}, Vec3(0, 0, -1), {2, 2, 2});
   scene.obstacles.push_back({Plane{Vec3::UnitZ(), -0.5}});
   scene.loads.gravity = {0, 0, -9.81};
   scene.integrator.time_step = 1e-3;

@@ -64,9 +64,9 @@ TEST_CASE("the depth of two tetrahedra is that of all their axes", "[mechanics][
     const StepPaths paths = ends.paths();
     ContactPoint contact{.tetrahedron_a = TetId{0}, .tetrahedron = TetId{1}};
     contact.weights_a = {0.25, 0.25, 0.25, 0.25};
-    const double twin =
-        std::max(0.0, -separation_by_all_axes(make_tetrahedron(places_at_end(paths, TetId{0}), 15),
-                                              make_tetrahedron(places_at_end(paths, TetId{1}), 15)));
+    const double twin = std::max(
+        0.0, -separation_by_all_axes(make_tetrahedron(places_at_end(paths, TetId{0}), 15),
+                                     make_tetrahedron(places_at_end(paths, TetId{1}), 15)));
     CHECK(depth_at_end(this_deep(contact, paths, 10), paths) == Approx(twin).margin(1e-12));
     CHECK(depth_at_end(this_deep(contact, paths, 0.01), paths) ==
           Approx(std::min(0.01, twin)).margin(1e-12));
@@ -77,7 +77,8 @@ TEST_CASE("the depth of two tetrahedra is that of all their axes", "[mechanics][
   CHECK(deep < 450);
 }
 
-TEST_CASE("a vertex has its depth in a tetrahedron only while it lies within", "[mechanics][contact]") {
+TEST_CASE("a vertex has its depth in a tetrahedron only while it lies within",
+          "[mechanics][contact]") {
   std::mt19937 random(4);
   int within = 0;
   for (int trial = 0; trial < 500; ++trial) {

@@ -22,13 +22,15 @@ Body bar_on_edge(double turn, const Vec3& place) {
 
 }  // namespace
 
-TEST_CASE("crossed bars meet edge to edge and do not sink into each other", "[mechanics][contact]") {
+TEST_CASE("crossed bars meet edge to edge and do not sink into each other",
+          "[mechanics][contact]") {
   const double degrees = GENERATE(90.0, 60.0, 30.0, 10.0);
   const double step = GENERATE(1e-4, 1e-3, 1.0 / 60);
   INFO(degrees << " degrees, step " << step);
   const double half = 0.1 / std::sqrt(2.0);
-  const SeveralBodies all = together(
-      {bar_on_edge(0, Vec3::Zero()), bar_on_edge(degrees * pi / 180, Vec3(0, 0, 2 * half + 0.002))});
+  const SeveralBodies all =
+      together({bar_on_edge(0, Vec3::Zero()),
+                bar_on_edge(degrees * pi / 180, Vec3(0, 0, 2 * half + 0.002))});
   ContactScene scene{all.body, state_of(all, material_of(1e10))};
   scene.integrator.time_step = step;
   for (std::size_t k = 0; k < 2; ++k) {
@@ -39,7 +41,8 @@ TEST_CASE("crossed bars meet edge to edge and do not sink into each other", "[me
   bool edges_met = false;
   for (int k = 0; k < 2 + static_cast<int>(0.004 / step); ++k) {
     for (const ContactPoint& c : scene.step_in_parts().contacts) {
-      const bool is_edge = c.place_a >= ContactPoint::edge_place && c.place >= ContactPoint::edge_place;
+      const bool is_edge =
+          c.place_a >= ContactPoint::edge_place && c.place >= ContactPoint::edge_place;
       edges_met = edges_met || is_edge;
       if (is_edge) CHECK(std::abs(c.normal.z()) > 0.999);
     }
@@ -58,7 +61,8 @@ TEST_CASE("a bar comes to rest across the edge of a box", "[mechanics][contact]"
   scene.loads.gravity = {0, 0, -9.81};
   scene.integrator.time_step = 1e-3;
   // A box that stands on an edge below, along y, and no wider than the bar is long.
-  Box box{{0, 0, -std::sqrt(0.5)}, Eigen::Quaterniond(Eigen::AngleAxisd(pi / 4, Vec3::UnitY())),
+  Box box{{0, 0, -std::sqrt(0.5)},
+          Eigen::Quaterniond(Eigen::AngleAxisd(pi / 4, Vec3::UnitY())),
           {0.5, 2, 0.5}};
   scene.obstacles = {{box}};
   for (int k = 0; k < 40; ++k) scene.step();
@@ -113,9 +117,9 @@ TEST_CASE("a free box that is turned by half a right angle rests on one of its s
   const auto turned = [](double angle) {
     return Eigen::Quaterniond(Eigen::AngleAxisd(angle, Vec3::UnitZ()));
   };
-  ContactScene scene = scene_of(
-      {{Box{{0, 0, 0}, turned(0.1), {0.5, 0.5, 0.5}}},
-       {.shape = Box{{0, 0, 1}, turned(0.1 + pi / 4), {0.5, 0.5, 0.5}}, .mass = 2}});
+  ContactScene scene =
+      scene_of({{Box{{0, 0, 0}, turned(0.1), {0.5, 0.5, 0.5}}},
+                {.shape = Box{{0, 0, 1}, turned(0.1 + pi / 4), {0.5, 0.5, 0.5}}, .mass = 2}});
   scene.loads.gravity = {0, 0, -9.81};
   scene.integrator.time_step = step;
   run_to(scene, 0.5);
@@ -135,13 +139,16 @@ TEST_CASE("free bars meet edge to edge, whatever the speed", "[mechanics][contac
   };
   const Vec3 half(0.5, 0.05, 0.05);
   const double apart = 2 * std::sqrt(0.5) * 0.1;
-  ContactScene scene = scene_of(
-      {{.shape = Box{{0, 0, 0}, on_edge(0), half}, .mass = 1},
-       {.shape = Box{{0, 0, apart + 0.01}, on_edge(degrees * pi / 180), half},
-        .velocity = Vec3(0, 0, -speed), .mass = 1}});
+  ContactScene scene =
+      scene_of({{.shape = Box{{0, 0, 0}, on_edge(0), half}, .mass = 1},
+                {.shape = Box{{0, 0, apart + 0.01}, on_edge(degrees * pi / 180), half},
+                 .velocity = Vec3(0, 0, -speed),
+                 .mass = 1}});
   scene.integrator.time_step = 1e-3;
   run_to(scene, 0.05);
-  const auto height = [&](std::size_t row) { return pose_of(scene.obstacles[row].shape).centre.z(); };
+  const auto height = [&](std::size_t row) {
+    return pose_of(scene.obstacles[row].shape).centre.z();
+  };
   CHECK(height(1) - height(0) > apart - 1e-5);
   const Vec3 sum = scene.obstacles[0].velocity + scene.obstacles[1].velocity;
   CHECK((sum - Vec3(0, 0, -speed)).norm() < 1e-9 * speed);

@@ -154,8 +154,8 @@ TEST_CASE("pieces that meet off centre with friction keep their momentum and ang
   double passed = 0;
   const int steps = static_cast<int>(0.15 / way.time_step);
   for (int k = 0; k < steps; ++k) {
-    const ContactStepResult result = scene.step({.deformation = way.deformation,
-                                                  .contacts_for = way.time_step});
+    const ContactStepResult result =
+        scene.step({.deformation = way.deformation, .contacts_for = way.time_step});
     REQUIRE(result.status.outcome == StepOutcome::fine);
     for (const ContactPoint& c : result.contacts) passed += c.impulse.norm();
   }

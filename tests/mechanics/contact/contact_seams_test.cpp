@@ -11,9 +11,8 @@ using namespace sunder::test;
 namespace {
 
 Obstacle box_between(double low, double high) {
-  Obstacle box{Box{{0.5 * (low + high), 0, -0.5},
-                   Eigen::Quaterniond::Identity(),
-                   {0.5 * (high - low), 1, 0.5}}};
+  Obstacle box{Box{
+      {0.5 * (low + high), 0, -0.5}, Eigen::Quaterniond::Identity(), {0.5 * (high - low), 1, 0.5}}};
   box.friction = 0;
   return box;
 }
@@ -23,8 +22,12 @@ Obstacle mesh_between(double low, double high) {
   TriangleSurface surface;
   const Shape box = box_between(low, high).shape;
   for (std::uint32_t k = 0; k < 8; ++k) surface.points.push_back(corner_at(box, k));
-  for (const auto& [a, b, c, d] : {std::array{0u, 4u, 6u, 2u}, {1u, 3u, 7u, 5u}, {0u, 1u, 5u, 4u},
-                                   {2u, 6u, 7u, 3u}, {0u, 2u, 3u, 1u}, {4u, 5u, 7u, 6u}}) {
+  for (const auto& [a, b, c, d] : {std::array{0u, 4u, 6u, 2u},
+                                   {1u, 3u, 7u, 5u},
+                                   {0u, 1u, 5u, 4u},
+                                   {2u, 6u, 7u, 3u},
+                                   {0u, 2u, 3u, 1u},
+                                   {4u, 5u, 7u, 6u}}) {
     surface.triangles.push_back({a, b, c});
     surface.triangles.push_back({a, c, d});
   }

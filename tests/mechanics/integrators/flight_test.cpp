@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "mechanics/element/energy.hpp"
 #include "mechanics/baselines/verlet.hpp"
+#include "mechanics/element/energy.hpp"
 #include "mechanics/frame/rotation.hpp"
 #include "tests/support/bodies.hpp"
 

@@ -34,7 +34,8 @@ TEST_CASE("the grid finds the pairs that comparing all finds", "[rubble]") {
     for (Vec3& way : ways) {
       way = size * Vec3(any(random), any(random), random() % 3 == 0 ? 0 : any(random));
     }
-    for (const BoxQuery& query : {BoxQuery{boxes, body, moves}, BoxQuery{boxes, body, moves, ways}}) {
+    for (const BoxQuery& query :
+         {BoxQuery{boxes, body, moves}, BoxQuery{boxes, body, moves, ways}}) {
       find_box_pairs(fast, scratch, query);
       find_box_pairs_brute_force(slow, query);
       REQUIRE(fast == slow);
@@ -45,10 +46,13 @@ TEST_CASE("the grid finds the pairs that comparing all finds", "[rubble]") {
 TEST_CASE("boxes meet on their way when they overlap at one of its moments", "[rubble]") {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> any(-1, 1);
-  const auto some = [&](double size) { return Vec3(size * Vec3(any(random), any(random), any(random))); };
+  const auto some = [&](double size) {
+    return Vec3(size * Vec3(any(random), any(random), any(random)));
+  };
   int met = 0;
   for (int trial = 0; trial < 2000; ++trial) {
-    const Vec3 p = some(1), q = some(1), half_p = some(0.4).cwiseAbs(), half_q = some(0.4).cwiseAbs();
+    const Vec3 p = some(1), q = some(1), half_p = some(0.4).cwiseAbs(),
+               half_q = some(0.4).cwiseAbs();
     const Bounds a{p - half_p, p + half_p}, b{q - half_q, q + half_q};
     Vec3 way = some(1.5);
     if (trial % 4 == 0) way[trial % 3] = 0;

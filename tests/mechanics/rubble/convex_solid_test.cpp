@@ -57,8 +57,9 @@ TEST_CASE("a box is one solid, however it is cut and turned", "[rubble]") {
   std::mt19937 random(3);
   std::normal_distribution<double> any;
   for (const suite::Cells cells : {suite::Cells{1, 1, 1}, {2, 3, 1}, {4, 4, 4}}) {
-    const Mat3 turn =
-        Eigen::Quaterniond(any(random), any(random), any(random), any(random)).normalized().toRotationMatrix();
+    const Mat3 turn = Eigen::Quaterniond(any(random), any(random), any(random), any(random))
+                          .normalized()
+                          .toRotationMatrix();
     const auto move = [&](const Vec3& x) -> Vec3 { return turn * x + Vec3(1, 2, 3); };
     const auto solid = find_convex_solid(outside(suite::kuhn_box(cells), move), tolerance);
     REQUIRE(solid);
@@ -70,7 +71,9 @@ TEST_CASE("a box is one solid, however it is cut and turned", "[rubble]") {
     const Polytope box = make_box(move(half), turn, half);
     const Polytope found = make_polytope(*solid, Vec3::Zero(), Mat3::Identity());
     for (int k = 0; k < 50; ++k) {
-      const auto near = [&] { return Vec3(move(half) + Vec3(any(random), any(random), any(random))); };
+      const auto near = [&] {
+        return Vec3(move(half) + Vec3(any(random), any(random), any(random)));
+      };
       std::array<Vec3, 4> corners = {near(), near(), near(), near()};
       const double volume =
           (corners[1] - corners[0]).cross(corners[2] - corners[0]).dot(corners[3] - corners[0]);

@@ -21,7 +21,8 @@ void add(JudgedFrame& frame, const std::array<Vec3, 4>& corners, std::uint32_t p
   frame.piece.push_back(piece);
 }
 
-const std::array<Vec3, 4> corner_chip = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)};
+const std::array<Vec3, 4> corner_chip = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0),
+                                         Vec3(0, 0, 1)};
 
 std::array<Vec3, 4> moved(std::array<Vec3, 4> corners, const Vec3& way) {
   for (Vec3& c : corners) c += way;

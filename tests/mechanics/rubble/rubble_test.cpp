@@ -102,8 +102,9 @@ TEST_CASE("an incline is slid on if and only if it is steeper than friction", "[
       for (const bool chip : {false, true}) {
         RubbleScene scene = ground(friction);
         if (chip) {
-          add_tetrahedron(scene, {Vec3(0, 0, 0), Vec3(0.02, 0, 0), Vec3(0, 0.02, 0), Vec3(0.006, 0.006, 0.008)},
-                          2400);
+          add_tetrahedron(
+              scene, {Vec3(0, 0, 0), Vec3(0.02, 0, 0), Vec3(0, 0.02, 0), Vec3(0.006, 0.006, 0.008)},
+              2400);
         } else {
           add_box(scene, {0, 0, 0.01}, Eigen::Quaterniond::Identity(), {0.02, 0.02, 0.01}, 2400);
         }
@@ -131,7 +132,8 @@ TEST_CASE("stacks of boxes stand", "[rubble]") {
   for (const int count : {5, 20, 50}) {
     RubbleScene scene = ground();
     for (int k = 0; k < count; ++k) {
-      add_box(scene, {0, 0, 0.01 + 0.02 * k}, Eigen::Quaterniond::Identity(), {0.01, 0.01, 0.01}, 2400);
+      add_box(scene, {0, 0, 0.01 + 0.02 * k}, Eigen::Quaterniond::Identity(), {0.01, 0.01, 0.01},
+              2400);
     }
     RubbleSettings settings = earth();
     settings.sleep_after = 0;
@@ -286,8 +288,8 @@ RubbleScene in_halves(const RubbleScene& chips) {
     const std::uint32_t row = chip.centre[0] < 0 ? 1 : 2;
     RubbleBody& half = scene.bodies[row];
     const Vec3 arm = chip.centre - half.centre;
-    half.inertia += chip.inertia + chip.mass * (arm.squaredNorm() * Mat3::Identity() -
-                                                arm * arm.transpose());
+    half.inertia +=
+        chip.inertia + chip.mass * (arm.squaredNorm() * Mat3::Identity() - arm * arm.transpose());
     RubbleShape shape = chips.shapes[k];
     shape.body = row;
     for (Vec3& corner : shape.corner) {
@@ -317,8 +319,8 @@ TEST_CASE("faces that were one meet each other and nothing else near them", "[ru
   RubbleSettings settings = earth();
   std::uint32_t patches = 0, plain_patches = 0;
   for (int k = 0; k < 720; ++k) {
-    const RubbleReport report = advance_rubble(with.bodies, with.shapes, with.memory, settings,
-                                               scratch, nullptr, partners);
+    const RubbleReport report =
+        advance_rubble(with.bodies, with.shapes, with.memory, settings, scratch, nullptr, partners);
     const RubbleReport other =
         advance_rubble(without.bodies, without.shapes, without.memory, settings, plain);
     if (k == 0) {

@@ -102,9 +102,9 @@ void update_components(Cracking& c) {
 
 /// `partly`: the held end is held along two axes, and every other vertex elsewhere along one.
 Cracking cracking_body(bool held, std::mt19937& random, bool partly = false, int order = 1) {
-  const Body body = shaken(order == 1 ? kuhn_block({9, 6, 4}, {1, 0.6, 0.4})
-                                      : kuhn_block({6, 4, 3}, {1, 0.6, 0.4}),
-                           0.02, random);
+  const Body body = shaken(
+      order == 1 ? kuhn_block({9, 6, 4}, {1, 0.6, 0.4}) : kuhn_block({6, 4, 3}, {1, 0.6, 0.4}),
+      0.02, random);
   Cracking c{body, state_of(body, Material{})};
   const ComponentId all{0};
   if (order == 2) {

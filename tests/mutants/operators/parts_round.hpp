@@ -17,7 +17,8 @@ namespace sunder::test {
 /// Functions that the other areas call seldom or with right numbers only.
 inline void parts_round(Random& random, Digest& out) {
   std::string text;
-  for (std::size_t i = suite::below(random, 12); i > 0; --i) text += "ab,\n"[suite::below(random, 4)];
+  for (std::size_t i = suite::below(random, 12); i > 0; --i)
+    text += "ab,\n"[suite::below(random, 4)];
   for (const std::string_view part : split_text(text, ',')) out.add(std::string(part));
   for (const Severity s : {Severity::note, Severity::warning, Severity::error}) {
     out.add(std::string(to_string(s)));

@@ -43,10 +43,11 @@ TEST_CASE("exponentials and angles of directions are right to about the last pla
   double worst_power = 0, worst_angle = 0;
   for (int i = 0; i < 20000; ++i) {
     const double x = any(random), y = any(random);
-    worst_power = std::max(worst_power, in_last_places(exponential(x), std::exp(static_cast<long double>(x))));
-    worst_angle = std::max(
-        worst_angle, in_last_places(direction_angle(y, x),
-                                    std::atan2(static_cast<long double>(y), static_cast<long double>(x))));
+    worst_power = std::max(worst_power,
+                           in_last_places(exponential(x), std::exp(static_cast<long double>(x))));
+    worst_angle = std::max(worst_angle, in_last_places(direction_angle(y, x),
+                                                       std::atan2(static_cast<long double>(y),
+                                                                  static_cast<long double>(x))));
   }
   INFO("up to " << reach);
   CHECK(worst_power <= 2);

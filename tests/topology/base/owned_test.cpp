@@ -17,7 +17,8 @@ TEST_CASE("what is owned is const where its owner is", "[kernel][owned]") {
   STATIC_REQUIRE(std::is_same_v<decltype(seen.operator->()), const int*>);
 }
 
-TEST_CASE("an owner that was moved from, or never filled, says so in every build", "[kernel][owned]") {
+TEST_CASE("an owner that was moved from, or never filled, says so in every build",
+          "[kernel][owned]") {
   Owned<int> empty;
   CHECK_THROWS_AS(*empty, sunder::Misuse);
   Owned<int> owner(std::make_unique<int>(3));

@@ -16,12 +16,11 @@ using Pair = std::pair<std::uint32_t, std::uint32_t>;
 constexpr std::array<std::array<std::size_t, 2>, 6> ends = {
     {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
 
-Pair pair_of(const Tet& t, std::size_t e) {
-  return std::minmax(t[ends[e][0]], t[ends[e][1]]);
-}
+Pair pair_of(const Tet& t, std::size_t e) { return std::minmax(t[ends[e][0]], t[ends[e][1]]); }
 
 /// A point of a part: on the edge of these two points of the parent, or that point twice.
-bool lies_on(const Triple& whole, std::uint32_t point, const std::map<std::uint32_t, Pair>& middle) {
+bool lies_on(const Triple& whole, std::uint32_t point,
+             const std::map<std::uint32_t, Pair>& middle) {
   const auto has = [&](std::uint32_t p) { return std::ranges::find(whole, p) != whole.end(); };
   const auto m = middle.find(point);
   return m == middle.end() ? has(point) : has(m->second.first) && has(m->second.second);
@@ -29,18 +28,16 @@ bool lies_on(const Triple& whole, std::uint32_t point, const std::map<std::uint3
 
 std::vector<Tet> parts(Tet t, const std::map<Pair, std::uint32_t>& middles,
                        const std::set<Pair>& inner) {
-  const auto m = [&](std::size_t a, std::size_t b) {
-    return middles.at(std::minmax(t[a], t[b]));
-  };
+  const auto m = [&](std::size_t a, std::size_t b) { return middles.at(std::minmax(t[a], t[b])); };
   for (int turn = 0; middles.size() == 6 && turn < 3; ++turn) {
     if (inner.contains(std::minmax(m(0, 2), m(1, 3)))) break;
     std::rotate(t.begin() + 1, t.begin() + 2, t.end());
   }
   if (middles.size() == 6) {  // Bey's list as he writes it
-    return {{t[0], m(0, 1), m(0, 2), m(0, 3)},       {m(0, 1), t[1], m(1, 2), m(1, 3)},
-            {m(0, 2), m(1, 2), t[2], m(2, 3)},       {m(0, 3), m(1, 3), m(2, 3), t[3]},
-            {m(0, 1), m(0, 2), m(0, 3), m(1, 3)},    {m(0, 1), m(0, 2), m(1, 2), m(1, 3)},
-            {m(0, 2), m(0, 3), m(1, 3), m(2, 3)},    {m(0, 2), m(1, 2), m(1, 3), m(2, 3)}};
+    return {{t[0], m(0, 1), m(0, 2), m(0, 3)},    {m(0, 1), t[1], m(1, 2), m(1, 3)},
+            {m(0, 2), m(1, 2), t[2], m(2, 3)},    {m(0, 3), m(1, 3), m(2, 3), t[3]},
+            {m(0, 1), m(0, 2), m(0, 3), m(1, 3)}, {m(0, 1), m(0, 2), m(1, 2), m(1, 3)},
+            {m(0, 2), m(0, 3), m(1, 3), m(2, 3)}, {m(0, 2), m(1, 2), m(1, 3), m(2, 3)}};
   }
   for (std::size_t p = 0; p < 4 && middles.size() == 3; ++p) {
     std::vector<std::size_t> f;
@@ -52,7 +49,9 @@ std::vector<Tet> parts(Tet t, const std::map<Pair, std::uint32_t>& middles,
     };
     if (!is_divided(f[0], f[1]) || !is_divided(f[1], f[2]) || !is_divided(f[0], f[2])) continue;
     const auto ab = m(f[0], f[1]), bc = m(f[1], f[2]), ac = m(f[0], f[2]);
-    return {{t[p], t[f[0]], ab, ac}, {t[p], t[f[1]], ab, bc}, {t[p], t[f[2]], ac, bc},
+    return {{t[p], t[f[0]], ab, ac},
+            {t[p], t[f[1]], ab, bc},
+            {t[p], t[f[2]], ac, bc},
             {t[p], ab, bc, ac}};
   }
   std::map<std::uint32_t, Pair> turns;
@@ -109,7 +108,8 @@ std::vector<std::array<std::uint32_t, 6>> edge_classes(const CellTwin& twin) {
       if (ends[e][0] == f % 4 || ends[e][1] == f % 4) continue;
       for (std::size_t g = 0; g < 6; ++g) {
         if (pair_of(twin.tetrahedra[t], e) == pair_of(twin.tetrahedra[u], g)) {
-          classes.join(static_cast<std::uint32_t>(6 * t + e), static_cast<std::uint32_t>(6 * u + g));
+          classes.join(static_cast<std::uint32_t>(6 * t + e),
+                       static_cast<std::uint32_t>(6 * u + g));
         }
       }
     }

@@ -45,7 +45,10 @@ struct Rows {
 Rows rows_of(const VolumeMap& map) {
   const MapRows& rows = map.dense().rows();
   const auto begins = map.dense().incident_tetrahedra();
-  return {rows.corners, rows.neighbours, rows.point_of_vertex, rows.points,
+  return {rows.corners,
+          rows.neighbours,
+          rows.point_of_vertex,
+          rows.points,
           {begins.begin(), begins.end()}};
 }
 
@@ -73,7 +76,9 @@ struct Before {
 class Trial {
  public:
   Trial(const TetMesh& mesh, std::mt19937_64& random, RandomCells& report, const CellWatch& watch)
-      : random_(random), report_(report), watch_(watch),
+      : random_(random),
+        report_(report),
+        watch_(watch),
         darts_(*build_map(mesh, Severity::warning, MapKernel::lcc).value),
         dense_(*build_map(mesh, Severity::warning, MapKernel::dense).value) {
     follow_rows();
@@ -252,7 +257,8 @@ class Trial {
     for (double& x : n) x = below(random_, 4) == 0 ? 0 : 2 * unit(random_) - 1;
     const Point at = darts_.point(darts_.corners(TetId{below(random_, darts_.tetrahedra())})[0]);
     // Half of the planes pass through a vertex.
-    const double d = n[0] * at[0] + n[1] * at[1] + n[2] * at[2] + (below(random_, 2) == 0 ? 0 : 0.1);
+    const double d =
+        n[0] * at[0] + n[1] * at[1] + n[2] * at[2] + (below(random_, 2) == 0 ? 0 : 0.1);
     if (n == Point{0, 0, 0}) return;
     const auto distance = [&](std::uint32_t p) {
       const Point& x = darts_.points()[p];
@@ -370,9 +376,7 @@ RandomCells random_cells(std::size_t operations, std::uint64_t seed, const CellW
   RandomCells report;
   std::mt19937_64 random(seed);
   const std::vector<suite::NamedMesh> bodies = ten_bodies();
-  const auto done = [&] {
-    return report.inserted + report.refined + report.cut + report.splits;
-  };
+  const auto done = [&] { return report.inserted + report.refined + report.cut + report.splits; };
   for (std::size_t body = 0; done() < operations; ++body) {
     const suite::NamedMesh& named = bodies[body % bodies.size()];
     const std::size_t begin = done();
@@ -380,8 +384,8 @@ RandomCells random_cells(std::size_t operations, std::uint64_t seed, const CellW
       Trial trial(named.mesh, random, report, watch);
       for (int i = 0; i < 60; ++i) trial.step();
     } catch (const std::runtime_error& error) {
-      report.failure = fmt::format("{}, operation {} of body {} ({}): {}", seed, done() - begin, body,
-                                   named.name, error.what());
+      report.failure = fmt::format("{}, operation {} of body {} ({}): {}", seed, done() - begin,
+                                   body, named.name, error.what());
       return report;
     }
   }

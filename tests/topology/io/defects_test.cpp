@@ -120,7 +120,8 @@ TEST_CASE("what is no mesh file is named", "[io][defects]") {
   check_defects({
       {"empty", "", "empty_file", 0, "0 bytes"},
       {"blank", " \n\n\t", "empty_file", 0, "4 bytes"},
-      {"garbage", std::string("\x7f\x45\x4c\x46\0\0\0", 7), "unknown_format", 0, "begins like none"},
+      {"garbage", std::string("\x7f\x45\x4c\x46\0\0\0", 7), "unknown_format", 0,
+       "begins like none"},
       {"prose", "Dear reader,\n", "unknown_format", 0, "begins like none"},
       {"another VTK", "# vtk DataFile Version 2.0\nx\nASCII\nDATASET STRUCTURED_GRID\n",
        "unknown_format", 4, "STRUCTURED_GRID"},
@@ -131,7 +132,8 @@ TEST_CASE("what is no mesh file is named", "[io][defects]") {
        "packed data end"},
       {"packed, damaged", std::string("\x1f\x8b\x08\0\0\0\0\0\0\3\x07\0\0", 13), "bad_gzip", 0,
        "packed data"},
-      {"ImageData", changed(vtu(), "UnstructuredGrid", "ImageData"), "unknown_format", 2, "ImageData"},
+      {"ImageData", changed(vtu(), "UnstructuredGrid", "ImageData"), "unknown_format", 2,
+       "ImageData"},
   });
 }
 

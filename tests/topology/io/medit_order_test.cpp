@@ -21,15 +21,16 @@ std::string medit_of(CellKind kind, std::string_view keyword, std::string_view o
   std::string points, rows, nodes;
   for (std::size_t i = 0; i < listed.size(); ++i) {
     const io::BezierPlace& p = places[listed[i]];
-    points += std::to_string(p[0]) + " " + std::to_string(p[1]) + " " + std::to_string(p[2]) + " 0\n";
+    points +=
+        std::to_string(p[0]) + " " + std::to_string(p[1]) + " " + std::to_string(p[2]) + " 0\n";
     for (std::size_t k = 0; k < numbers; ++k) rows += std::to_string(p[k]) + " ";
     rows += "\n";
     nodes += std::to_string(i + 1) + " ";
   }
   const std::string count = std::to_string(listed.size());
-  return "MeshVersionFormatted 2\nDimension 3\n" + std::string(keyword) + "\n1\n" + nodes + "7\nVertices\n" +
-         count + "\n" + points + (order.empty() ? "" : std::string(order) + "\n" + count + "\n" + rows) +
-         "End\n";
+  return "MeshVersionFormatted 2\nDimension 3\n" + std::string(keyword) + "\n1\n" + nodes +
+         "7\nVertices\n" + count + "\n" + points +
+         (order.empty() ? "" : std::string(order) + "\n" + count + "\n" + rows) + "End\n";
 }
 
 }  // namespace
@@ -42,7 +43,8 @@ TEST_CASE("MEDIT's cells of second order have their nodes where an order section
     const std::size_t n = traits_of(order.kind).nodes;
     std::vector<std::size_t> listed(n);
     for (std::size_t i = 0; i < n; ++i) listed[i] = n - 1 - i;
-    const auto mesh = read_file_mesh(medit_of(order.kind, keyword, order.keyword, listed), "a.mesh");
+    const auto mesh =
+        read_file_mesh(medit_of(order.kind, keyword, order.keyword, listed), "a.mesh");
     REQUIRE(mesh);
     CHECK(mesh.findings.empty());
     const CellRows rows = rows_of(*mesh, order.kind);
@@ -81,9 +83,10 @@ TEST_CASE("without an order section MEDIT's curved cells but simplices are read 
 TEST_CASE("an order section that leaves a node without its own place is refused",
           "[io][medit][cells]") {
   const auto refused = [](std::string_view rows) {
-    return read_file_mesh("MeshVersionFormatted 2\nDimension 3\nVertices\n1\n0 0 0 0\nEdgesP2Ordering\n" +
-                              std::string(rows) + "End\n",
-                          "a.mesh");
+    return read_file_mesh(
+        "MeshVersionFormatted 2\nDimension 3\nVertices\n1\n0 0 0 0\nEdgesP2Ordering\n" +
+            std::string(rows) + "End\n",
+        "a.mesh");
   };
   CHECK(refused("3\n0\n1\n2\n"));
   for (const char* rows : {"3\n0\n2\n2\n", "3\n0\n2\n3\n", "2\n0\n2\n", "4\n0\n2\n1\n1\n", "0\n",

@@ -231,8 +231,10 @@ TEST_CASE("regions, numbers and names come back from a universal file", "[io][un
 TEST_CASE("numbers that count on once hexahedra are left out say nothing, with vertices too",
           "[io][unv]") {
   const std::string text =
-      nodes + section("2411", "5 1 1 11\n1. 1. 0.\n6 1 1 11\n1. 0. 1.\n7 1 1 11\n0. 1. 1.\n"
-                              "8 1 1 11\n1. 1. 1.\n") +
+      nodes +
+      section("2411",
+              "5 1 1 11\n1. 1. 0.\n6 1 1 11\n1. 0. 1.\n7 1 1 11\n0. 1. 1.\n"
+              "8 1 1 11\n1. 1. 1.\n") +
       section("2412", "1 111 1 1 7 4\n1 2 3 4\n5 115 1 1 7 8\n1 2 5 3 4 6 8 7\n") +
       section("2467", "1 0 0 0 0 0 0 1\ncorner\n7 1 0 0\n");
   const Result<FileMesh> whole = read_file_mesh(text, "a.unv");
@@ -246,8 +248,9 @@ TEST_CASE("numbers that count on once hexahedra are left out say nothing, with v
 
 TEST_CASE("lengths in units of the file's own become metres", "[io][unv]") {
   const auto with = [](const std::string& factor) {
-    return section("164", "         1SI                           2\n" + factor + " 1. 1.\n273.15\n") + nodes +
-           tetrahedra;
+    return section("164",
+                   "         1SI                           2\n" + factor + " 1. 1.\n273.15\n") +
+           nodes + tetrahedra;
   };
   for (const std::string factor : {"1000.", "1.0D+03", "1.0e3"}) {
     const Result<FileMesh> mesh = read_file_mesh(with(factor), "a.unv");

@@ -236,7 +236,8 @@ TEST_CASE("an update visits as many tetrahedra in whatever order its faces were 
   };
   // A few faces of a crack that does not close, and all.
   for (const std::size_t count : {std::size_t{6}, splits.size()}) {
-    std::vector<FaceSplit> some(splits.begin(), splits.begin() + static_cast<std::ptrdiff_t>(count));
+    std::vector<FaceSplit> some(splits.begin(),
+                                splits.begin() + static_cast<std::ptrdiff_t>(count));
     const std::size_t expected = visited(some);
     for (int order = 0; order < 20; ++order) {
       std::ranges::shuffle(some, random);

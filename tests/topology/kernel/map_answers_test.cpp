@@ -74,7 +74,8 @@ TEST_CASE("a map answered by darts and one of rows stay the same through splits 
       REQUIRE(a.visited == b.visited);
       if (!a.did) continue;
       splits.push_back(a);
-      const auto one = update_components(rows, std::span(&a, 1), Detection::exact, of_rows, scratch_rows);
+      const auto one =
+          update_components(rows, std::span(&a, 1), Detection::exact, of_rows, scratch_rows);
       const auto other =
           update_components(darts, std::span(&b, 1), Detection::exact, of_darts, scratch_darts);
       REQUIRE(one.created == other.created);

@@ -258,8 +258,7 @@ TEST_CASE("errors come first, and a finding names the first sixteen of its rows,
   mesh.tetrahedra.insert(mesh.tetrahedra.end(), 30, {2, 3, 4, 4});
   for (const bool keeps_places : {false, true}) {
     const Survey survey = survey_mesh(mesh, Severity::warning, keeps_places);
-    REQUIRE(codes(survey.findings) ==
-            std::vector<std::string>{"repeated_vertex", "unused_point"});
+    REQUIRE(codes(survey.findings) == std::vector<std::string>{"repeated_vertex", "unused_point"});
     CHECK(survey.findings[0].ids.size() == Finding::max_ids);
     CHECK(survey.findings[1].ids.size() == Finding::max_ids);
     REQUIRE(survey.places.size() == (keeps_places ? 2 : 0));

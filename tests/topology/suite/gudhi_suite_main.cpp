@@ -9,8 +9,8 @@
 
 #include "tests/topology/suite/gudhi_homology.hpp"
 #include "topology/suite/fixtures/fixture.hpp"
-#include "topology/suite/judge/judge_truth.hpp"
 #include "topology/suite/fixtures/steps.hpp"
+#include "topology/suite/judge/judge_truth.hpp"
 
 namespace {
 

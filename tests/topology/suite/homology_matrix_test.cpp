@@ -8,8 +8,8 @@
 #include <stdexcept>
 
 #include "tests/topology/suite/abstract_bodies.hpp"
-#include "topology/suite/homology/homology.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
+#include "topology/suite/homology/homology.hpp"
 
 using namespace sunder;
 using namespace sunder::suite;

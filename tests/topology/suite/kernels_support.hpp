@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "topology/suite/kernels/judged_kernel.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
+#include "topology/suite/kernels/judged_kernel.hpp"
 
 namespace sunder::test {
 

@@ -127,6 +127,7 @@ TEST_CASE("CGAL takes defective bodies and makes something of them", "[suite][ke
 TEST_CASE("a tetrahedron with a point that is not there is refused by every kernel",
           "[suite][kernels]") {
   const TetMesh mesh = with(one_tetrahedron(), {0, 1, 2, 9});
-  JudgedKernel kernel = GENERATE(volume_map_kernel(), nested_kernel(), cgal_kernel(), twin_kernel());
+  JudgedKernel kernel =
+      GENERATE(volume_map_kernel(), nested_kernel(), cgal_kernel(), twin_kernel());
   CHECK(has_error(kernel.load(mesh)));
 }

@@ -45,7 +45,6 @@ constexpr CellSection cell_sections[] = {
     {"PyramidsP2", 87, CellKind::pyramid14},
 };
 
-
 struct MeditReader {
   NumberSource in;
   Draft draft;

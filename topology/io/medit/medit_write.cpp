@@ -14,19 +14,19 @@ struct WrittenSection {
   int code;
 };
 constexpr WrittenSection written_sections[] = {{CellKind::edge, "Edges", 5},
-                                {CellKind::edge3, "EdgesP2", 25},
-                                {CellKind::triangle, "Triangles", 6},
-                                {CellKind::triangle6, "TrianglesP2", 24},
-                                {CellKind::quad4, "Quadrilaterals", 7},
-                                {CellKind::quad9, "QuadrilateralsQ2", 27},
-                                {CellKind::tetrahedron, "Tetrahedra", 8},
-                                {CellKind::tetrahedron10, "TetrahedraP2", 30},
-                                {CellKind::hexahedron8, "Hexahedra", 10},
-                                {CellKind::hexahedron27, "HexahedraQ2", 33},
-                                {CellKind::prism6, "Prisms", 9},
-                                {CellKind::prism18, "PrismsP2", 86},
-                                {CellKind::pyramid5, "Pyramids", 49},
-                                {CellKind::pyramid14, "PyramidsP2", 87}};
+                                               {CellKind::edge3, "EdgesP2", 25},
+                                               {CellKind::triangle, "Triangles", 6},
+                                               {CellKind::triangle6, "TrianglesP2", 24},
+                                               {CellKind::quad4, "Quadrilaterals", 7},
+                                               {CellKind::quad9, "QuadrilateralsQ2", 27},
+                                               {CellKind::tetrahedron, "Tetrahedra", 8},
+                                               {CellKind::tetrahedron10, "TetrahedraP2", 30},
+                                               {CellKind::hexahedron8, "Hexahedra", 10},
+                                               {CellKind::hexahedron27, "HexahedraQ2", 33},
+                                               {CellKind::prism6, "Prisms", 9},
+                                               {CellKind::prism18, "PrismsP2", 86},
+                                               {CellKind::pyramid5, "Pyramids", 49},
+                                               {CellKind::pyramid14, "PyramidsP2", 87}};
 
 std::string write_text(const FileMesh& mesh) {
   NumberSink out;

@@ -16,7 +16,7 @@ namespace sunder::io {
 namespace {
 
 constexpr std::string_view entity_words[] = {"vprop",  "eprop",  "fprop", "cprop",
-                                         "heprop", "hfprop", "mprop"};
+                                             "heprop", "hfprop", "mprop"};
 
 struct TypeName {
   std::string_view name;

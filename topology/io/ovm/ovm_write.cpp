@@ -8,10 +8,10 @@
 #include <span>
 #include <variant>
 
-#include "topology/io/text/number_sink.hpp"
 #include "topology/io/ovm/ovm.hpp"
 #include "topology/io/ovm/ovm_reader.hpp"
 #include "topology/io/tetgen/tetgen.hpp"
+#include "topology/io/text/number_sink.hpp"
 #include "topology/mesh/kinds/move_cells.hpp"
 
 namespace sunder::io {

@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "topology/mesh/file_mesh.hpp"
 #include "topology/io/text/scan.hpp"
+#include "topology/mesh/file_mesh.hpp"
 
 namespace sunder::io {
 

@@ -6,8 +6,8 @@
 #include <limits>
 #include <set>
 
-#include "topology/io/text/number_sink.hpp"
 #include "topology/io/surface/ply.hpp"
+#include "topology/io/text/number_sink.hpp"
 #include "topology/io/vtk/vtk_columns.hpp"
 #include "topology/mesh/kinds/move_cells.hpp"
 

@@ -173,7 +173,8 @@ void give_regions(UnvReader& r, Groups& g) {
     if (kind == CellKind::vertex) {
       for (const std::int32_t group : g.group_of_vertex) give(group);
     }
-    for (; kind != CellKind::vertex && row < g.group_of.size() && g.kind_of[row] == kind; ++row) give(g.group_of[row]);
+    for (; kind != CellKind::vertex && row < g.group_of.size() && g.kind_of[row] == kind; ++row)
+      give(g.group_of[row]);
     if (std::ranges::all_of(region, [](auto x) { return x == 0; })) region.clear();
   }
 }

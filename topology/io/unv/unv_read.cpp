@@ -321,7 +321,8 @@ void take_tables(FileMesh& mesh) {
     };
     for_each([&](CellColumns& cells) {
       has_regions = has_regions || !cells.region.empty();
-      are_usual = are_usual && std::ranges::all_of(cells.entity, [](auto e) { return e == 0 || e == 1; });
+      are_usual =
+          are_usual && std::ranges::all_of(cells.entity, [](auto e) { return e == 0 || e == 1; });
     });
     for_each([&](CellColumns& cells) {
       if (!has_regions && !are_usual) cells.region = cells.entity;

@@ -13,7 +13,6 @@ constexpr FaceCorners of_prism[] = {
 constexpr FaceCorners of_pyramid[] = {
     {0, 3, 2, 1}, {0, 1, 4, 4}, {1, 2, 4, 4}, {2, 3, 4, 4}, {3, 0, 4, 4}};
 
-
 constexpr EdgeCorners of_edge[] = {{0, 1}};
 constexpr EdgeCorners of_triangle[] = {{0, 1}, {1, 2}, {2, 0}};
 constexpr EdgeCorners of_quad[] = {{0, 1}, {1, 2}, {2, 3}, {3, 0}};

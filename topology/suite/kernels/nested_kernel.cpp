@@ -68,7 +68,8 @@ bool glue(NestedMaps& maps, FaceSide a, FaceSide b) {
   if (glue_face(maps.coarse, f, g).refusal != GlueRefusal::none) return false;
   maps.labels = label_components(maps.coarse);
   // A glued face is sewn in both maps, or tied: then the finer map stays as it is.
-  const bool sewn = is_ahead(maps.coarse, f, g) || glue_face(*maps.fine, f, g).refusal == GlueRefusal::none;
+  const bool sewn =
+      is_ahead(maps.coarse, f, g) || glue_face(*maps.fine, f, g).refusal == GlueRefusal::none;
   if (!sewn) maps.faults.emplace_back("the finer map refuses to be glued");
   return true;
 }

@@ -17,8 +17,8 @@ std::string counts_text(const std::array<std::size_t, cell_kinds>& counts);
 /// "8 points, 12 triangles": the same of a mesh with its points, kinds in the opposite order.
 std::string counts_text(const FileMesh& mesh);
 
-/// Keys: "points" and plurals of kinds. Simplices of first order always have one, other kinds if there
-/// are cells of them.
+/// Keys: "points" and plurals of kinds. Simplices of first order always have one, other kinds if
+/// there are cells of them.
 nlohmann::ordered_json counts_json(const FileMesh& mesh);
 
 }  // namespace sunder

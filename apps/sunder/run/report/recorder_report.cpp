@@ -58,12 +58,10 @@ void add_ratio(ordered_json& report, const char* key, std::size_t part, std::siz
 }
 
 ordered_json contact_report(const RunStatistics& s) {
-  ordered_json report = {{"steps", s.contact_steps},
-                         {"not_converged", s.unconverged_steps},
-                         {"worst_residual", s.worst_residual},
-                         {"tolerated", s.tolerated},
-                         {"force_error", s.force_error},
-                         {"worst_step", s.worst_step}};
+  ordered_json report = {
+      {"steps", s.contact_steps},           {"not_converged", s.unconverged_steps},
+      {"worst_residual", s.worst_residual}, {"tolerated", s.tolerated},
+      {"force_error", s.force_error},       {"worst_step", s.worst_step}};
   report.update(counters_json(s.contact));
   return report;
 }

@@ -90,8 +90,8 @@ std::vector<Finding> all_warnings(const RunStatistics& statistics, const Scene& 
 /// the step is fine.
 std::optional<Finding> step_failure(const StepReport& report, const Simulation& now);
 
-/// report.json of a run, keys as docs/reference/scene.md has them. `pieces`: as `fragments` gives them at the
-/// end.
+/// report.json of a run, keys as docs/reference/scene.md has them. `pieces`: as `fragments` gives
+/// them at the end.
 nlohmann::ordered_json run_report(const RunStatistics& statistics, const Simulation& now,
                                   std::span<const Fragment> pieces, RunEnd end);
 

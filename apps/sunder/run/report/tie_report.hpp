@@ -28,7 +28,8 @@ struct TieStatistics {
 /// Adds one step.
 void note_ties(TieStatistics& statistics, const StepReport& report);
 
-/// `ties` of report.json, keys as docs/explanation/cracks.md has them. Needs: `CrackMode::cohesive`.
+/// `ties` of report.json, keys as docs/explanation/cracks.md has them. Needs:
+/// `CrackMode::cohesive`.
 nlohmann::ordered_json tie_report(const TieStatistics& statistics, const Simulation& now);
 
 }  // namespace sunder

@@ -17,7 +17,8 @@ bool is_sharp(const StepPaths& paths, const SurfaceEdge& edge);
 void find_swept_edges(DetectScratch& scratch, const StepPaths& paths, double margin);
 
 /// Makes `scratch.near_edges` hold for the step: pairs of edges that are, or may become, sharp, by
-/// their numbers, their boxes wider by `margin` (m); `scratch.edge_row` has their rows. Needs: `keeps_pairs`.
+/// their numbers, their boxes wider by `margin` (m); `scratch.edge_row` has their rows. Needs:
+/// `keeps_pairs`.
 void refresh_edges(DetectScratch& scratch, const StepPaths& paths, double margin);
 
 /// m: how far two edges are apart as the step begins.

@@ -84,7 +84,8 @@ void pair_up_by_boxes(DetectScratch& scratch, const StepPaths& paths) {
 }  // namespace
 
 /// Every pair with paths that come within a radius of each other lies, half-way, within the radius
-/// and half their relative motion. Where that is more than two radii, boxes on their ways are smaller.
+/// and half their relative motion. Where that is more than two radii, boxes on their ways are
+/// smaller.
 void pair_up(DetectScratch& scratch, const StepPaths& paths) {
   const std::vector<Vec3>& start = paths.state.vertices.position;
   const std::size_t points = start.size(), all = points + paths.corner.size();
@@ -124,8 +125,8 @@ void pair_up(DetectScratch& scratch, const StepPaths& paths) {
   scratch.beside_share = is_fast ? 0.1 : std::numeric_limits<double>::infinity();
   if (is_fast) return pair_up_by_boxes(scratch, paths);
   find_sphere_pairs(scratch.pairs, scratch.grid, scratch.cache,
-                    {scratch.point_middle, component, scratch.centre_middle,
-                     scratch.reach, paths.state.elements.component});
+                    {scratch.point_middle, component, scratch.centre_middle, scratch.reach,
+                     paths.state.elements.component});
 }
 
 }  // namespace sunder

@@ -23,7 +23,8 @@ double gap_along(const Vec3& axis, const Places& a, const Places& b) {
   return of_b - of_a;
 }
 
-/// The axis that parts two tetrahedra farthest at both of two moments, and by how much at the worse.
+/// The axis that parts two tetrahedra farthest at both of two moments, and by how much at the
+/// worse.
 struct CommonAxis {
   double gap = -std::numeric_limits<double>::infinity();
 
@@ -209,8 +210,9 @@ void pair_at_end(DetectScratch& scratch, const StepPaths& paths) {
 }
 
 bool are_partners(const DetectScratch& scratch, const StepPaths& paths, TetId a, TetId b) {
-  return std::ranges::any_of(paths.corners[a.index()],
-                             [&](VertexId v) { return faces(scratch, {b, v}, paths); });
+  return std::ranges::any_of(paths.corners[a.index()], [&](VertexId v) {
+    return faces(scratch, {b, v}, paths);
+  });
 }
 
 double common_gap(const Places& a, const Places& b, const Places& c, const Places& d,

@@ -47,8 +47,8 @@ void update_near(DetectScratch& scratch, const StepPaths& paths);
 /// pieces. Needs: `keeps_pairs`.
 void refresh_solids(DetectScratch& scratch, const StepPaths& paths);
 
-/// Pairs of tetrahedra on the surfaces of different pieces with boxes that meet as the step ends, by
-/// their numbers, into `scratch.swept`.
+/// Pairs of tetrahedra on the surfaces of different pieces with boxes that meet as the step ends,
+/// by their numbers, into `scratch.swept`.
 void pair_at_end(DetectScratch& scratch, const StepPaths& paths);
 
 /// Tetrahedra of members with their boxes as the step ends, into `scratch.solid_pairs`.

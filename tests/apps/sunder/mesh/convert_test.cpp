@@ -200,8 +200,9 @@ TEST_CASE("cells made linear are told in the right number", "[apps][convert]") {
   const Workplace here;
   const auto told = [&](const std::string& cells) {
     const std::string mesh = here.write(
-        "a.mesh", "MeshVersionFormatted 2\nDimension 3\nVertices\n3\n0 0 0 0\n2 0 0 0\n1 0 0 0\nEdgesP2\n" +
-                      cells + "End\n");
+        "a.mesh",
+        "MeshVersionFormatted 2\nDimension 3\nVertices\n3\n0 0 0 0\n2 0 0 0\n1 0 0 0\nEdgesP2\n" +
+            cells + "End\n");
     return here.run({"convert", mesh, here.path("b.vtu"), "--order", "1"}).err;
   };
   CHECK(told("1\n1 2 3 0\n").find("1 second-order edge is made linear") != std::string::npos);

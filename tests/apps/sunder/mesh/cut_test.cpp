@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // `sunder refine` and `sunder cut`: their files, reports and refusals.
-#include <catch2/catch.hpp>
 #include <algorithm>
+#include <catch2/catch.hpp>
 #include <cmath>
 #include <fstream>
 #include <iterator>
@@ -101,8 +101,8 @@ TEST_CASE("refine: a region, a plane, a crack", "[apps][cells]") {
   CHECK(region.json()["after"]["tetrahedra"] == 12);  // eight, and four to fit
   CHECK(region.json()["levels"][0]["green"] == 1);
 
-  const Outcome plane = here.run({"refine", bar, out, "--plane", "1,0,0,0.5", "--within", "0.01",
-                                  "--levels", "2", "--json"});
+  const Outcome plane = here.run(
+      {"refine", bar, out, "--plane", "1,0,0,0.5", "--within", "0.01", "--levels", "2", "--json"});
   REQUIRE(plane.exit_code == 0);
   CHECK(plane.json()["levels"].size() == 2);
   const Outcome check = here.run({"check", out});

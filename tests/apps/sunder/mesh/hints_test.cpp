@@ -34,7 +34,8 @@ TEST_CASE("a surface in place of a body names the commands that fill it", "[apps
     REQUIRE(end != std::string::npos);
     if (!has_tetgen) continue;
     std::string command = refused.err.substr(begin, end - begin);
-    command = replaced(replaced(command, "sunder", "'" SUNDER_PROGRAM "'"), "FILE", "'" + surface + "'");
+    command =
+        replaced(replaced(command, "sunder", "'" SUNDER_PROGRAM "'"), "FILE", "'" + surface + "'");
     REQUIRE(shell("cd '" + here.path("") + "' && { " + command + "; } >out.txt 2>&1"));
     const Outcome checked = here.run({"check", here.path("surface.1.ele"), "--json"});
     CHECK(checked.exit_code == 0);

@@ -75,7 +75,8 @@ TEST_CASE("lists in lists end no request and no server", "[view]") {
   CHECK(do_view_request(viewed, "step", "{}").fine);
 }
 
-TEST_CASE("a page reads no other files than the scene names, and sees none that is no mesh", "[view]") {
+TEST_CASE("a page reads no other files than the scene names, and sees none that is no mesh",
+          "[view]") {
   const test::Folder folder;
   std::ofstream(folder.path() / "secret") << "root:x:0:0:secret\n";
   const std::string mesh = nlohmann::json(SUNDER_IO_DATA "/meshio_zlib.vtu").dump();
@@ -88,10 +89,11 @@ TEST_CASE("a page reads no other files than the scene names, and sees none that 
   viewed.path = folder.path() / "scene.json";
   write_scene(R"("mesh": )" + mesh);
   REQUIRE(do_view_request(viewed, "load", own_scene).fine);
-  REQUIRE(do_view_request(viewed, "load", load_body(R"({"settings": ["gravity.acceleration=[0,0,-1]"]})")).fine);
-  for (const std::string setting :
-       {"bodies.0.mesh=secret", R"(bodies=[{\"mesh\":\"secret\"}])", R"(bodies.0={\"mesh\":1})",
-        "bodies.0.mesh", "=", ""}) {
+  REQUIRE(do_view_request(viewed, "load",
+                          load_body(R"({"settings": ["gravity.acceleration=[0,0,-1]"]})"))
+              .fine);
+  for (const std::string setting : {"bodies.0.mesh=secret", R"(bodies=[{\"mesh\":\"secret\"}])",
+                                    R"(bodies.0={\"mesh\":1})", "bodies.0.mesh", "=", ""}) {
     const ViewAnswer set =
         do_view_request(viewed, "load", load_body(R"({"settings": [")" + setting + R"("]})"));
     CAPTURE(setting, set.bytes);
@@ -116,7 +118,9 @@ TEST_CASE("a scene dropped on the page comes with its files", "[view]") {
   const nlohmann::json scene = {{"bodies",
                                  {{{"mesh", "meshes/own.vtu"},
                                    {"material",
-                                    {{"young_modulus", 1e9}, {"poisson_ratio", 0.2}, {"density", 1000},
+                                    {{"young_modulus", 1e9},
+                                     {"poisson_ratio", 0.2},
+                                     {"density", 1000},
                                      {"tensile_strength", 1e6}}}}}}};
   nlohmann::json request = {{"settings", {"time_step=5e-4"}},
                             {"text", scene.dump()},
@@ -157,7 +161,8 @@ TEST_CASE("a page learns that the scene or a mesh of it was saved", "[view]") {
   viewed.path = folder / "scene.json";
   const std::string first = do_view_request(viewed, "stamp", "").bytes;
   CHECK(do_view_request(viewed, "stamp", "").bytes == first);
-  fs::last_write_time(folder / "body.msh", fs::file_time_type::clock::now() + std::chrono::seconds(5));
+  fs::last_write_time(folder / "body.msh",
+                      fs::file_time_type::clock::now() + std::chrono::seconds(5));
   const std::string second = do_view_request(viewed, "stamp", "").bytes;
   CHECK(second != first);
   std::ofstream(folder / "scene.json") << R"({"bodies": [{"mesh": "body.)";  // half saved

@@ -19,8 +19,12 @@ TriangleSurface box_of(const Vec3& low, const Vec3& high) {
     s.points.emplace_back(k & 1 ? high.x() : low.x(), k & 2 ? high.y() : low.y(),
                           k & 4 ? high.z() : low.z());
   }
-  for (const auto& f : {std::array<std::uint32_t, 4>{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
-                        {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}) {
+  for (const auto& f : {std::array<std::uint32_t, 4>{0, 4, 6, 2},
+                        {1, 3, 7, 5},
+                        {0, 1, 5, 4},
+                        {2, 6, 7, 3},
+                        {0, 2, 3, 1},
+                        {4, 5, 7, 6}}) {
     s.triangles.push_back({f[0], f[1], f[2]});
     s.triangles.push_back({f[0], f[2], f[3]});
   }
@@ -56,7 +60,9 @@ TriangleSurface dented(std::uint32_t around, std::uint32_t rings) {
     }
   }
   s.points.emplace_back(0, 0, 0.2);
-  const auto at = [&](std::uint32_t r, std::uint32_t k) { return 1 + (r - 1) * around + k % around; };
+  const auto at = [&](std::uint32_t r, std::uint32_t k) {
+    return 1 + (r - 1) * around + k % around;
+  };
   const auto top = static_cast<std::uint32_t>(s.points.size() - 1);
   for (std::uint32_t k = 0; k < around; ++k) {
     s.triangles.push_back({0, at(1, k + 1), at(1, k)});
@@ -128,7 +134,8 @@ TEST_CASE("the sign of the distance is that of the winding, everywhere", "[conta
   for (int k = 0; k < 3000; ++k) {
     // Near corners and edges too.
     Vec3 x = random_point(random, 1.4);
-    if (k % 3 == 1) x = made.value->points[static_cast<std::size_t>(k) % made.value->points.size()] + 1e-3 * x;
+    if (k % 3 == 1)
+      x = made.value->points[static_cast<std::size_t>(k) % made.value->points.size()] + 1e-3 * x;
     const SurfacePoint here = distance_to_surface(*made.value, x);
     CHECK((here.gap < 0) == (winding(*made.value, x) > 0.5));
     CHECK(here.normal.norm() == Approx(1));

@@ -91,7 +91,8 @@ TEST_CASE("the way of a tie ends at its bound or where pull turns to pressure", 
   }
 }
 
-TEST_CASE("solved ties obey their law: stick, give along the secant, or pull all they can", "[ties]") {
+TEST_CASE("solved ties obey their law: stick, give along the secant, or pull all they can",
+          "[ties]") {
   std::mt19937 random(6);
   std::uniform_real_distribution<double> u(0, 1);
   for (int trial = 0; trial < 50; ++trial) {

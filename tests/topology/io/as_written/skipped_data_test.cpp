@@ -139,7 +139,8 @@ TEST_CASE("comments, titles and repeated data of the mesh are not reported", "[i
             .empty());
 }
 
-TEST_CASE("readers of simplices for computing give notes, conversions give warnings", "[io][skipped]") {
+TEST_CASE("readers of simplices for computing give notes, conversions give warnings",
+          "[io][skipped]") {
   const std::string text = abaqus_head + "*MATERIAL, NAME=steel\n";
   CHECK(summary(read_file_mesh(text, "a.inp").findings) == "warning skipped_data 7");
   CHECK(summary(read_file_mesh(text, "a.inp", {.simplices = true}).findings) ==

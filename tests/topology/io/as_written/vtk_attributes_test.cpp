@@ -59,8 +59,10 @@ TEST_CASE("bits are numbers, in text and eight a byte", "[io][vtk][attributes]")
 
 TEST_CASE("bits with the name of a label are labels", "[io][vtk][attributes]") {
   const std::string of_cells = "CELL_DATA 1\nFIELD f 1\nregion 1 1 ";
-  CHECK(read_whole(text_head + of_cells + "bit\n1\n") == read_whole(text_head + of_cells + "int\n1\n"));
-  CHECK(read_whole(raw_head + of_cells + "bit\n\x80") == read_whole(text_head + of_cells + "bit\n1\n"));
+  CHECK(read_whole(text_head + of_cells + "bit\n1\n") ==
+        read_whole(text_head + of_cells + "int\n1\n"));
+  CHECK(read_whole(raw_head + of_cells + "bit\n\x80") ==
+        read_whole(text_head + of_cells + "bit\n1\n"));
 }
 
 TEST_CASE("strings are passed over whatever their lengths", "[io][vtk][attributes]") {
