@@ -56,10 +56,15 @@ int refuse(sunder_engine* engine, std::vector<Finding> findings, sunder_result r
   return result;
 }
 
+/// Why an engine is torn.
+int why_torn(const sunder_engine* engine) {
+  return engine->error == out_of_memory ? SUNDER_NO_MEMORY : SUNDER_FAILED;
+}
+
 /// Does something with an engine that is whole. A failure where it is not, or where memory ran out.
 template <class Do>
 int done(sunder_engine* engine, const Do& action) noexcept {
-  if (engine->torn) return SUNDER_NO_MEMORY;
+  if (engine->torn) return why_torn(engine);
   try {
     return action();
   } catch (const std::bad_alloc&) {
@@ -73,7 +78,7 @@ int done(sunder_engine* engine, const Do& action) noexcept {
   }
 }
 
-/// The same with what changes its state, which is torn where memory ran out on the way.
+/// The same with changes of its state, which is torn where one did not come to its end.
 template <class Do>
 int changed(sunder_engine* engine, const Do& action) noexcept {
   return done(engine, [&] {
@@ -217,7 +222,7 @@ int sunder_step(sunder_engine* engine, sunder_report* report) {
   }
   give(report, engine->report);
   if (!engine->failed) return SUNDER_OK;
-  return engine->torn ? SUNDER_NO_MEMORY : SUNDER_FAILED;
+  return engine->torn ? why_torn(engine) : int{SUNDER_FAILED};
 }
 
 void sunder_last_report(const sunder_engine* engine, sunder_report* report) {
@@ -284,7 +289,7 @@ void sunder_save(sunder_engine* engine, sunder_span* span) {
 int sunder_hash(sunder_engine* engine, uint64_t* hash) {
   sunder_span state;
   sunder_save(engine, &state);
-  if (state.bytes == nullptr) return SUNDER_NO_MEMORY;
+  if (state.bytes == nullptr) return why_torn(engine);
   Fnv1a sum;
   sum.add({static_cast<const char*>(state.bytes), state.size});
   *hash = sum.value;

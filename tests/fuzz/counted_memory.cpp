@@ -60,6 +60,8 @@ MemoryCount end_counting() {
 
 }  // namespace sunder::test
 
+// Shared libraries have to find these functions too.
+#pragma GCC visibility push(default)
 extern "C" {
 
 int __real_inflate(z_streamp stream, int flush);
@@ -122,3 +124,5 @@ void free(void* block) {
 }  // extern "C"
 
 #endif
+
+#pragma GCC visibility pop
