@@ -160,9 +160,10 @@ ContactStepResult move(StepWork& step, const PlannedPart& part) {
   const StageTimer timer(step.report, Stage::mechanics);
   Simulation& sim = step.sim;
   SimulationState& s = step.state();
-  const std::function<bool()> ends = [&] {
-    return any_breaks(step.body(), with_budget_left(sim.scene, s), step.scratch().fracture,
-                      breakable(step.plan, s, step.unbroken));
+  // One reference is kept without an allocation.
+  const std::function<bool()> ends = [&step] {
+    return any_breaks(step.body(), with_budget_left(step.scene(), step.state()),
+                      step.scratch().fracture, breakable(step.plan, step.state(), step.unbroken));
   };
   const PartInput input{sim.scene,           sim.bodies,         part,
                         step.plan.members(), step.plan.gravity,  sim.threads,

@@ -159,18 +159,19 @@ void measure_gaps(LumpedContacts& contacts, const WaveNodes& nodes, double elaps
 
 namespace {
 
-/// Adds to the spin of a body the moments that it does not contain yet. Gives their work on free
-/// components, J.
+/// Adds to the spin of a body the moments that it does not contain yet. Gives their work,
+/// J.
 double take_missed(WaveRigid& body) {
   const Vec3 change = body.inverse_inertia * body.missed;
   const double work = body.missed.dot(body.spin + 0.5 * change);
   body.spin += change;
   body.missed.setZero();
-  return body.inverse_mass > 0 && !body.component.is_none() ? work : 0;
+  return work;
 }
 
-/// Turns a body by the rotation since its last turn. Gives the turn.
-Mat3 turn_of(WaveRigid& body) {
+/// Turns a body as it has turned since its last turn. Gives the turn, and adds to `work` (J) the
+/// change of its energy.
+Mat3 turn_of(WaveRigid& body, double& work) {
   const Vec3 momentum = body.angular_momentum + body.twist;
   const double energy = momentum.dot(body.inverse_inertia * momentum);
   // The spin was taken as constant: its change without a torque, to second order.
@@ -180,13 +181,16 @@ Mat3 turn_of(WaveRigid& body) {
   Mat3 R = by.toRotationMatrix();
   const Mat3 inverse_inertia = R * body.inverse_inertia * R.transpose();
   const Vec3 spin = inverse_inertia * momentum;
-  // The energy must stay: a turn by d changes half of it by d . (w x L).
-  const Vec3 slope = spin.cross(momentum);
   const double error = 0.5 * (momentum.dot(spin) - energy);
-  if (std::abs(error) > 1e-15 * energy && slope.squaredNorm() > 0) {
+  // A turn by d changes the energy by d . (w x L).
+  const Vec3 slope = spin.cross(momentum);
+  if (body.twist != body.twist_at_turn) {
+    work += error;
+  } else if (std::abs(error) > 1e-15 * energy && slope.squaredNorm() > 0) {
     by = rotation_of(-error / slope.squaredNorm() * slope) * by;
     R = by.toRotationMatrix();
   }
+  body.twist_at_turn = body.twist;
   body.orientation = (by * body.orientation).normalized();
   body.inverse_inertia = R * body.inverse_inertia * R.transpose();
   body.spin = body.inverse_inertia * momentum;
@@ -203,8 +207,9 @@ void turn_rigid(LumpedContacts& contacts, double least) {
     WaveRigid& body = contacts.rigid[k];
     if (body.turned.norm() < least) continue;
     any = true;
-    contacts.work.contact += take_missed(body);
-    turn[k] = turn_of(body);
+    double work = take_missed(body);
+    turn[k] = turn_of(body, work);
+    if (body.inverse_mass > 0 && !body.component.is_none()) contacts.work.contact += work;
     body.turned.setZero();
     body.since_turn = 0;
   }

@@ -24,14 +24,15 @@ struct WaveRigid {
   Vec3 spin{0, 0, 0};                                   ///< rad/s
   Vec3 velocity_before{0, 0, 0}, spin_before{0, 0, 0};  ///< as the step at hand began
   Vec3 turned{0, 0, 0};                                 ///< rad, since the last turn
-  Vec3 missed{0, 0, 0};        ///< N m s, since then: of `twist`, that `spin` does not contain yet
-  double since_turn = 0;       ///< s
-  Vec3 impulse{0, 0, 0};       ///< N s, got in the part from contacts
-  Vec3 twist{0, 0, 0};         ///< N m s, from contacts and loads, about its centre where that was
-  Vec3 fall{0, 0, 0};          ///< m/s^2: gravity, where it acts
-  Vec3 weight_place{0, 0, 0};  ///< m s: places of the centre, times the lengths of steps
-  Vec3 push{0, 0, 0};          ///< N: surface loads
-  Vec3 torque{0, 0, 0};        ///< N m, about the centre, as the part begins: of surface loads
+  Vec3 missed{0, 0, 0};         ///< N m s, since then: of `twist`, that `spin` does not contain yet
+  Vec3 twist_at_turn{0, 0, 0};  ///< N m s: `twist` at the last turn
+  double since_turn = 0;        ///< s
+  Vec3 impulse{0, 0, 0};        ///< N s, got in the part from contacts
+  Vec3 twist{0, 0, 0};          ///< N m s, from contacts and loads, about its centre where that was
+  Vec3 fall{0, 0, 0};           ///< m/s^2: gravity, where it acts
+  Vec3 weight_place{0, 0, 0};   ///< m s: places of the centre, times the lengths of steps
+  Vec3 push{0, 0, 0};           ///< N: surface loads
+  Vec3 torque{0, 0, 0};         ///< N m, about the centre, as the part begins: of surface loads
   Impulse loads = Impulse::Zero();  ///< N s and N m s about the origin: got from them
 };
 
@@ -92,7 +93,8 @@ std::array<double, 2> response_of(const LumpedSide& side, const LumpedContacts& 
 void measure_gaps(LumpedContacts& contacts, const WaveNodes& nodes, double elapsed);
 
 /// Turns rigid bodies that have turned by at least `least` rad since their last turn, and the arms
-/// on them. Spins follow from the angular momenta then. The turn keeps the energy of a free body.
+/// on them. Spins follow from the angular momenta then. The turn keeps the energy of a body without
+/// impulses. For others the change counts as work of contact: they turned before the impulses.
 void turn_rigid(LumpedContacts& contacts, double least);
 
 /// The step of a kick with its impulses.

@@ -93,7 +93,7 @@ TEST_CASE("balls are round, conform and have no bad cell at any size", "[mesh][s
     const MeshCheck check = check_file_mesh(file_mesh_of(mesh));
     CHECK(check.findings.empty());
     check_solid(mesh, check.counts->volume, 1);
-    CHECK(check.quality->smallest_radius_ratio.value > 0.55);
+    CHECK(check.quality->smallest_radius_ratio.value > 0.5);
     const auto far = [](const Point& p) { return std::hypot(p[0], p[1], p[2]); };
     const auto surface = [&](const Point& p) { return std::abs(far(p) - 0.5) < 1e-12; };
     // As many points lie on the sphere as a divided icosahedron has.
