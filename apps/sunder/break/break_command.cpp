@@ -35,8 +35,8 @@ THING is a closed surface (STL, OBJ, PLY, OFF and others) or a mesh of tetrahedr
 installed: tetgen, gmsh or sunder-mesh. Each runs as a process of its own, for three minutes at most.
 Lengths are numbers with a unit: 95mm, 3.5cm, 0.2m, 4in. Speeds are 20m/s or 30km/h.
 Without --size and --units a longest side above 3 is taken as millimetres, else as metres.
-The object is set down on the ground. One of --drop, --throw, --ball, --press and --bend breaks it;
-the default is a drop from 1 m. A dropped object is tilted, since few things land flat.
+The object is set down on the ground. One of --drop, --throw, --ball, --press and --bend breaks it.
+The default is a drop from 1 m. A dropped object is tilted, since few things land flat.
 DIR holds the scene and the mesh in metres, which you can change and run again, and DIR/run the files
 of `sunder run`. An existing scene or mesh with other contents is replaced with --force only.
 A large piece has a hundredth of the mass or more (docs/howto/break_an_object.md).
