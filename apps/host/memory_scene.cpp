@@ -11,7 +11,6 @@
 #include <variant>
 #include <vector>
 
-#include "apps/host/block_mesh.hpp"
 #include "topology/io/face_list.hpp"
 #include "topology/io/mesh_file.hpp"
 #include "topology/mesh/check.hpp"
@@ -19,7 +18,7 @@
 namespace sunder {
 namespace {
 
-/// What a name of the scene leads to: bytes of a file, or a mesh of arrays or of a shape.
+/// What a name of the scene leads to: bytes of a file, or a mesh of arrays.
 using Named = std::variant<std::string_view, TetMesh>;
 
 /// The files and meshes of a scene by name.
@@ -30,7 +29,7 @@ struct MemoryFiles {
   void add(const char* name, Named content) {
     if (named.emplace(name, std::move(content)).second) return;
     findings.push_back({.code = "repeated_name",
-                        .text = std::string("two files, meshes or shapes are called ") + name,
+                        .text = std::string("two files or meshes are called ") + name,
                         .remedy = "give each a name of its own",
                         .file = name});
   }
@@ -77,20 +76,6 @@ TetMesh mesh_of(const sunder_mesh& arrays) {
   return mesh;
 }
 
-void add_shape(MemoryFiles& files, const sunder_shape& shape) {
-  Result<TetMesh> mesh = Finding{.code = "bad_shape",
-                                 .text = "there is no such kind of shape",
-                                 .remedy = "take one of sunder_shape_kind"};
-  if (shape.kind == SUNDER_BLOCK) {
-    const auto& l = shape.lengths;
-    const auto& c = shape.cells;
-    mesh = block_mesh({l[0], l[1], l[2]}, {c[0], c[1], c[2]});
-  }
-  for (Finding& f : mesh.findings) f.file = shape.name;
-  if (mesh) return files.add(shape.name, std::move(*mesh));
-  std::ranges::move(mesh.findings, std::back_inserter(files.findings));
-}
-
 MemoryFiles files_of(const sunder_scene& scene) {
   MemoryFiles files;
   for (std::uint32_t i = 0; i < scene.file_count; ++i) {
@@ -101,12 +86,6 @@ MemoryFiles files_of(const sunder_scene& scene) {
     sunder_mesh mesh;
     if (take(mesh, scene.meshes[i], sizeof(sunder_mesh), files, "sunder_mesh")) {
       files.add(mesh.name, mesh_of(mesh));
-    }
-  }
-  for (std::uint32_t i = 0; i < scene.shape_count; ++i) {
-    sunder_shape shape;
-    if (take(shape, scene.shapes[i], sizeof(sunder_shape), files, "sunder_shape")) {
-      add_shape(files, shape);
     }
   }
   return files;
@@ -128,7 +107,7 @@ Result<T> read_found(const MemoryFiles& files, const std::string& name, const Re
 
 Finding not_in_arrays(const std::string& name) {
   return {.code = "not_a_file",
-          .text = "a mesh of arrays or of a shape has no such content",
+          .text = "a mesh of arrays has no such content",
           .remedy = "give a file in memory under this name",
           .file = name};
 }

@@ -9,7 +9,7 @@
 namespace sunder {
 
 /// Reads the scene of a host. Structs of older versions are accepted by their sizes. Errors: those
-/// of `read_scene`, bad_size (a struct smaller than its first version), repeated_name, bad_shape.
+/// of `read_scene`, bad_size (a struct smaller than its first version), repeated_name.
 Result<SceneFile> read_scene_in_memory(const sunder_scene& scene);
 
 }  // namespace sunder

@@ -55,21 +55,7 @@ typedef struct sunder_mesh {
   const int32_t* regions; /**< one per tetrahedron, or null */
 } sunder_mesh;
 
-typedef enum sunder_shape_kind {
-  SUNDER_BLOCK = 0 /**< a box with a corner at the origin, of cubes of six tetrahedra */
-} sunder_shape_kind;
-
-/** A mesh of a simple shape, under the name that the scene uses for it. */
-typedef struct sunder_shape {
-  uint32_t size; /**< sizeof(sunder_shape) */
-  uint32_t kind;
-  const char* name;
-  double lengths[3]; /**< m */
-  uint32_t cells[3]; /**< number of cubes along each axis */
-  uint32_t reserved; /**< 0 */
-} sunder_shape;
-
-/** A scene in memory. Bodies and obstacles name files, meshes and shapes alike: {"mesh": "a"}. */
+/** A scene in memory. Bodies and obstacles name files and meshes alike: {"mesh": "a"}. */
 typedef struct sunder_scene {
   uint32_t size; /**< sizeof(sunder_scene) */
   uint32_t file_count;
@@ -81,9 +67,8 @@ typedef struct sunder_scene {
   uint32_t setting_count;
   uint32_t reserved; /**< not read: the end of the first version may have padding here */
   const sunder_mesh* const* meshes;
-  const sunder_shape* const* shapes;
   uint32_t mesh_count;
-  uint32_t shape_count;
+  uint32_t reserved2; /**< 0 */
 } sunder_scene;
 
 /** A fault or remark about an input. Texts are UTF-8 and never null. They are valid until the next

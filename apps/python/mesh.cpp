@@ -6,18 +6,19 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <initializer_list>
 #include <iterator>
 #include <memory>
 #include <optional>
 #include <string>
 
-#include "apps/host/block_mesh.hpp"
 #include "apps/python/arrays.hpp"
 #include "apps/python/bindings.hpp"
 #include "apps/python/findings.hpp"
 #include "topology/io/format_traits.hpp"
 #include "topology/io/mesh_file.hpp"
 #include "topology/mesh/check.hpp"
+#include "topology/mesh/solids/solids.hpp"
 
 namespace sunder::python {
 namespace {
@@ -213,6 +214,50 @@ py::dict point_data(const FileMesh& mesh) {
   return columns;
 }
 
+/// Throws ValueError for lengths that are not above 0 and counts that are out of range.
+void check_solid(std::initializer_list<double> lengths, std::initializer_list<double> counts,
+                 double tetrahedra) {
+  for (const double length : lengths) {
+    if (!std::isfinite(length) || !(length > 0)) throw py::value_error("a length must be above 0");
+  }
+  for (const double count : counts) {
+    if (count < 1) throw py::value_error("a number of cells must be 1 or more");
+  }
+  if (tetrahedra > 1e8) throw py::value_error("more than 100 million tetrahedra");
+}
+
+Mesh of_solid(const TetMesh& mesh) { return {file_mesh_of(mesh), {}}; }
+
+void bind_solids(py::module_& module) {
+  module.def(
+      "box",
+      [](const std::array<double, 3>& size, const std::array<std::uint32_t, 3>& cells) {
+        const auto [x, y, z] = size;
+        const auto [i, j, k] = cells;
+        check_solid({x, y, z}, {1. * i, 1. * j, 1. * k}, 6. * i * j * k);
+        return of_solid(box_solid(size, cells));
+      },
+      py::arg("size"), py::arg("cells"),
+      "A box with its middle at the origin: size (3,) in m, cells (3,), six tetrahedra per cell.");
+  module.def(
+      "ball",
+      [](double radius, std::uint32_t shells) {
+        check_solid({radius}, {1. * shells}, 20. * shells * shells * shells);
+        return of_solid(ball_solid(radius, shells));
+      },
+      py::arg("radius"), py::arg("shells"),
+      "A ball with its middle at the origin: radius in m, 20 shells^3 tetrahedra.");
+  module.def(
+      "cylinder",
+      [](double radius, double height, std::uint32_t rings, std::uint32_t layers) {
+        check_solid({radius, height}, {1. * rings, 1. * layers}, 18. * rings * rings * layers);
+        return of_solid(cylinder_solid(radius, height, rings, layers));
+      },
+      py::arg("radius"), py::arg("height"), py::arg("rings"), py::arg("layers"),
+      "A cylinder about the z axis, its middle at the origin: radius and height in m, 18 rings^2 "
+      "tetrahedra per layer.");
+}
+
 void bind_check(py::module_& module) {
   py::class_<MeshCheck>(module, "Check", "Result of a check of a mesh.")
       .def_readonly("findings", &MeshCheck::findings, "List of Finding, errors first.")
@@ -315,13 +360,7 @@ void bind_mesh(py::module_& module) {
              py::arg("encoding") = py::none(), py::arg("pack") = false, py::arg("strict") = false,
              "Converts a mesh file as `sunder convert` does, to the same bytes. Returns the "
              "findings. Raises Error.");
-  module.def(
-      "block",
-      [](const std::array<double, 3>& lengths, const std::array<std::uint32_t, 3>& cells) {
-        return Mesh{file_mesh_of(value_of(block_mesh(lengths, cells))), {}};
-      },
-      py::arg("lengths"), py::arg("cells"),
-      "A box with a corner at the origin: lengths (3,) in m, cells (3,), six tetrahedra per cell.");
+  bind_solids(module);
   bind_check(module);
 }
 

@@ -7,7 +7,7 @@ All lengths are in m, masses in kg, times in s, stresses in Pa. Errors are `sund
 
 from ._api import Simulation, modes, split, static
 from ._sunder import (Check, Error, FaceSplit, Fan, Finding, Fragment, Map, Mesh, StepReport,
-                      __version__, block, check, convert, read, write)
+                      __version__, ball, box, check, convert, cylinder, read, write)
 
 __all__ = ["Check", "Error", "FaceSplit", "Fan", "Finding", "Fragment", "Map", "Mesh", "Simulation",
-           "StepReport", "block", "check", "convert", "modes", "read", "split", "static", "write"]
+           "StepReport", "ball", "box", "check", "convert", "cylinder", "modes", "read", "split", "static", "write"]

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Scenes of arrays and shapes through the C functions, and the findings of refused ones.
+// Scenes of arrays through the C functions, and the findings of refused ones.
 #include "apps/host/memory_scene.hpp"
 
 #include <catch2/catch.hpp>
@@ -8,9 +8,7 @@
 #include <memory>
 #include <string>
 
-#include "apps/host/block_mesh.hpp"
 #include "apps/host/sunder.h"
-#include "topology/mesh/check.hpp"
 
 namespace {
 
@@ -26,20 +24,6 @@ sunder_scene scene_of(const std::string& text) {
 }
 
 }  // namespace
-
-TEST_CASE("a block of cubes fills its box and has no fault", "[host]") {
-  const auto mesh = sunder::block_mesh({1, 2, 3}, {3, 2, 4});
-  REQUIRE(mesh);
-  CHECK(mesh->points.size() == 4 * 3 * 5);
-  CHECK(mesh->tetrahedra.size() == 6 * 3 * 2 * 4);
-  CHECK(sunder::check_mesh(*mesh).empty());
-  const auto checked = sunder::check_file_mesh(sunder::file_mesh_of(*mesh));
-  REQUIRE(checked.counts);
-  CHECK(checked.counts->volume == Approx(6));
-  CHECK_FALSE(sunder::block_mesh({1, 2, 0}, {1, 1, 1}));
-  CHECK_FALSE(sunder::block_mesh({1, 2, 3}, {1, 0, 1}));
-  CHECK_FALSE(sunder::block_mesh({1, 2, 3}, {4000000000u, 4000000000u, 4000000000u}));
-}
 
 TEST_CASE("findings of a refused scene have codes, rows and remedies", "[host]") {
   const double corners[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};

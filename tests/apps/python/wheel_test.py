@@ -18,7 +18,7 @@ PIP = [sys.executable, "-m", "pip", "--disable-pip-version-check"]
 OFFLINE = {**os.environ, "PIP_NO_INDEX": "1", "SUNDER_BUILD_FOLDER": BUILD}
 USE = """
 import sunder
-sim = sunder.Simulation({"bodies": [{"mesh": sunder.block((1, 0.1, 0.1), (10, 2, 2)), "translation": [0, 0, 0.02],
+sim = sunder.Simulation({"bodies": [{"mesh": sunder.box((1, 0.1, 0.1), (10, 2, 2)), "translation": [0, 0, 0.07],
     "velocity": [0, 0, -8], "material": {"tensile_strength": 1e6}}], "obstacles": [{"plane": {}}], "duration": 0.01})
 print(sunder.__file__, max(report.pieces for report in sim.run()))
 """

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* A host in C99: bodies from arrays, shapes, files; findings; save, load, hash; structs of older versions.
+/* A host in C99: bodies from arrays, without files, from files; findings; save, load, hash; structs of older versions.
      c_host SCENE.json   prints a line per check and ends with 0, or names the first that fails. */
 #include <stddef.h>
 #include <stdio.h>
@@ -14,7 +14,11 @@ static void check(int holds, const char* words) {
 }
 
 static const char scene_text[] =
-    "{\"bodies\": [{\"mesh\": \"bar\", \"translation\": [0, 0, 0.02], \"velocity\": [0, 0, -8],"
+    "{\"bodies\": [{\"mesh\": \"bar\"}], \"obstacles\": [{\"plane\": {}}], \"duration\": 0.02}";
+
+static const char shape_text[] =
+    "{\"bodies\": [{\"shape\": {\"box\": {\"size\": [1, 0.1, 0.1]}, \"cell\": 0.05},"
+    " \"translation\": [0, 0, 0.07], \"velocity\": [0, 0, -8],"
     " \"material\": {\"tensile_strength\": 1e6}}],"
     " \"obstacles\": [{\"plane\": {}}], \"time_step\": 1e-3, \"duration\": 0.02,"
     " \"fracture\": {\"crack\": \"paper\"}}";
@@ -36,18 +40,7 @@ static uint64_t hash_of(sunder_engine* engine) {
 }
 
 static sunder_engine* engine_of_shape(void) {
-  sunder_shape block;
-  const sunder_shape* shapes[1];
-  sunder_scene scene = scene_of(scene_text);
-  memset(&block, 0, sizeof block);
-  block.size = sizeof block;
-  block.kind = SUNDER_BLOCK;
-  block.name = "bar";
-  block.lengths[0] = 1, block.lengths[1] = block.lengths[2] = 0.1;
-  block.cells[0] = 10, block.cells[1] = block.cells[2] = 2;
-  shapes[0] = &block;
-  scene.shapes = shapes;
-  scene.shape_count = 1;
+  sunder_scene scene = scene_of(shape_text);
   return sunder_create(&scene);
 }
 
@@ -76,12 +69,12 @@ static void steps_and_states(void) {
   sunder_report report;
   sunder_span state;
   int i;
-  check(engine != NULL, "a scene of a block without files");
+  check(engine != NULL, "a scene of a box without files");
   if (engine == NULL) return;
   memset(&report, 0, sizeof report);
   report.size = sizeof report;
   for (i = 0; i < 10; ++i) check(sunder_step(engine, &report) == SUNDER_OK, "a step");
-  check(report.step == 10 && report.fans_total > 0 && report.pieces > 1, "the block breaks");
+  check(report.step == 10 && report.fans_total > 0 && report.pieces > 1, "the box breaks");
   sunder_save(engine, &state);
   second = sunder_restore(state.bytes, state.size);
   check(second != NULL && hash_of(second) == hash_of(engine), "what is loaded has the same hash");
