@@ -22,6 +22,8 @@ enum class SurfaceStyle : std::uint8_t { filled, filled_with_edges, wireframe };
 struct SurfaceColors {
   Color skin = {0.86f, 0.84f, 0.80f};
   Color crack = {0.87f, 0.43f, 0.20f};
+  /// Of the line at which a crack comes to the skin: a closed crack shows by it alone.
+  Color crack_line = {0.25f, 0.12f, 0.07f};
   Color wire = {0.10f, 0.32f, 0.66f};
   /// How strongly pieces differ in hue: 0 not at all, 1 most.
   float piece_tint = 0;

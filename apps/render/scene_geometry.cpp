@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <utility>
 
@@ -68,6 +69,29 @@ void add_edges(std::vector<EdgeInstance>& lines, const Surface& s) {
   }
 }
 
+/// Edges at which a crack comes to the skin, each once: a closed crack is a line there.
+void add_crack_lines(std::vector<EdgeInstance>& lines, const Surface& s) {
+  if (s.face_class.empty()) return;
+  using Edge = std::pair<std::uint32_t, std::uint32_t>;
+  std::vector<Edge> of_skin, of_cracks, both;
+  for (std::size_t t = 0; t < s.triangles.size(); ++t) {
+    const auto& corners = s.triangles[t];
+    if (!is_drawable(s, corners)) continue;
+    std::vector<Edge>& edges = s.face_class[t] == FaceClass::crack ? of_cracks : of_skin;
+    for (std::size_t i = 0; i < 3; ++i) {
+      edges.push_back(std::minmax({corners[i], corners[(i + 1) % 3]}));
+    }
+  }
+  for (std::vector<Edge>* edges : {&of_skin, &of_cracks}) {
+    std::ranges::sort(*edges);
+    edges->erase(std::unique(edges->begin(), edges->end()), edges->end());
+  }
+  std::ranges::set_intersection(of_skin, of_cracks, std::back_inserter(both));
+  for (const auto& [a, b] : both) {
+    lines.push_back({packed(s.positions[a]), packed(s.positions[b]), packed(s.colors.crack_line)});
+  }
+}
+
 void add_sphere(SceneGeometry& geometry, const Sphere& sphere) {
   constexpr int rings = 32, sectors = 64;  // a silhouette of 64 sides: round at any usual size
   const auto direction = [](int ring, int sector) {
@@ -117,6 +141,7 @@ SceneGeometry scene_geometry(const FrameScene& scene) {
     if (s.style != SurfaceStyle::wireframe) add_faces(geometry, s);
     if (s.style == SurfaceStyle::wireframe) add_edges(geometry.wires, s);
     if (s.style == SurfaceStyle::filled_with_edges) add_edges(geometry.edges, s);
+    if (s.style == SurfaceStyle::filled) add_crack_lines(geometry.edges, s);
   }
   for (const Sphere& s : scene.spheres) add_sphere(geometry, s);
   for (const Box& b : scene.boxes) add_box(geometry, b);

@@ -27,7 +27,8 @@ struct EdgeInstance {
 struct SceneGeometry {
   /// Three in a row are a triangle. All cast shadows.
   std::vector<MeshVertex> triangles;
-  /// Each edge of a filled surface with edges once.
+  /// Each edge of a filled surface with edges once; of a filled surface those at which a crack
+  /// comes to the skin.
   std::vector<EdgeInstance> edges;
   /// Each edge of a wireframe once.
   std::vector<EdgeInstance> wires;
@@ -35,7 +36,8 @@ struct SceneGeometry {
   Bounds casters;
 };
 
-/// Filled surfaces, spheres and boxes as triangles; edges where a surface's style asks for them.
+/// Filled surfaces, spheres and boxes as triangles; edges where a surface's style asks for them,
+/// and lines of cracks.
 /// Triangles that cannot be drawn are left out. O(n log n) in the edges.
 SceneGeometry scene_geometry(const FrameScene& scene);
 

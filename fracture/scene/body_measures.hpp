@@ -59,6 +59,9 @@ inline constexpr double too_few_layers = 2.9;
 /// order 2.
 inline constexpr double enough_layers = 5.5;
 
+/// Advice never asks for a mesh of more tetrahedra: runs of them take days.
+inline constexpr double most_advised_tetrahedra = 3e5;
+
 /// Cells through the thickness: a third of the tetrahedra that a ray meets which goes in across a
 /// face of the surface, the median of 200 rays spread over the surface by its area. A cube of six
 /// tetrahedra counts as one cell. Needs: `measure(body)`.

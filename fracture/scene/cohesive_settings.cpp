@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "fracture/scene/body_measures.hpp"
 #include "fracture/strength/draw_strength.hpp"
 #include "mechanics/state/wave_travel.hpp"
 #include "topology/base/elementary.hpp"
@@ -77,15 +78,30 @@ void judge_energies(fields::SettingsCheck& check, const std::string& place,
             "leave one of them out");
 }
 
+/// What to do about cells that are `factor` times too large. Advice that no computer can follow is
+/// none.
+std::string finer_mesh_advice(std::size_t tetrahedra, double factor, double cell) {
+  const double needed = static_cast<double>(tetrahedra) * factor * factor * factor;
+  if (needed <= most_advised_tetrahedra) {
+    return fmt::format("take cells of {:.2g} m, if when a crack goes on matters", cell);
+  }
+  return fmt::format(
+      "trust energies and sizes of large pieces, and not the moment at which a crack goes on: "
+      "cells "
+      "of {:.2g} m would be {:.1g} tetrahedra",
+      cell, needed);
+}
+
+/// `tetrahedra`: of the body.
 void judge_tip(fields::SettingsCheck& check, const std::string& place, const Material& material,
-               double cell) {
+               double cell, std::size_t tetrahedra) {
   const double length = softening_length(material);
   if (!(cell > 0) || length >= 3 * cell) return;
   check.add("tip_not_resolved", place,
             fmt::format("lets cracks soften over {:.3g} m, and its cells are {:.3g} m: they take "
                         "the right energy, but how they start at a tip is an estimate",
                         length, cell),
-            fmt::format("take cells of {:.2g} m, if when a crack goes on matters", length / 3));
+            finer_mesh_advice(tetrahedra, 3 * cell / length, length / 3));
 }
 
 }  // namespace
@@ -125,7 +141,8 @@ void judge_materials(fields::SettingsCheck& check, const Scene& scene) {
       const std::string place = m == 0 ? fmt::format("bodies.{}.material", b)
                                        : fmt::format("bodies.{}.strength.regions.{}", b, m - 1);
       judge_energies(check, place, own.materials[m]);
-      judge_tip(check, place, own.materials[m], cell_of(body.mesh, own, m));
+      judge_tip(check, place, own.materials[m], cell_of(body.mesh, own, m),
+                body.mesh.tetrahedra.size());
     }
   }
 }

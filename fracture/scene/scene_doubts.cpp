@@ -101,12 +101,15 @@ void look_at_regions(const Looked& l, std::size_t b) {
   }
 }
 
+/// m: a mug in millimetres is longer, and nearly everything that is broken is shorter.
+constexpr double longest_usual = 50;
+
 void look_at_size(const Looked& l, std::size_t b) {
   const BodyMeasures& m = l.measures[b];
-  if (m.extent > 100) {
+  if (m.extent > longest_usual) {
     l.body(b, "odd_unit", "mesh", m.extent,
            fmt::format("is {:.4g} m long: points in millimetres are read as metres", m.extent),
-           "scale the mesh's points to metres, in the program that made it");
+           "give \"units\": \"mm\" for the body if that is so");
   }
 }
 
@@ -177,6 +180,20 @@ bool can_be_bent(const Looked& l, std::size_t b) {
 /// than 2.2 times its thickness.
 constexpr double compact = 2.2;
 
+/// Four layers by cells as wide as thick, or, where these would be too many, by flat ones.
+std::string layers_advice(const BodySettings& body, double layers) {
+  const double finer = 4 / layers;
+  const double needed = static_cast<double>(body.mesh.tetrahedra.size()) * finer * finer * finer;
+  const std::string mesh =
+      needed <= most_advised_tetrahedra
+          ? fmt::format("a mesh of at least four layers (about {:.1g} tetrahedra)", needed)
+          : std::string("flat cells in four layers (a \"shape\" plate has a number of \"layers\")");
+  return fmt::format(
+      "take \"order\": 2 for the body, or {}, where bending matters "
+      "(docs/explanation/theory.md)",
+      mesh);
+}
+
 void look_at_layers(const Looked& l, std::size_t b) {
   const BodySettings& body = l.scene.bodies[b];
   if (l.scene.fracture.mode == FractureMode::off || !(l.measures[b].strength < infinite)) return;
@@ -189,8 +206,7 @@ void look_at_layers(const Looked& l, std::size_t b) {
                      "linear tetrahedra show 22, 50, 79, 89 % of the deflection in bending "
                      "with 1, 2, 4, 6, and what breaks in bending breaks late",
                      layers),
-         "take \"order\": 2 for the body, or a mesh of at least four layers where bending matters "
-         "(docs/explanation/theory.md)");
+         layers_advice(body, layers));
 }
 
 /// A twentieth of the strain it breaks at is still nothing (docs/explanation/theory.md).

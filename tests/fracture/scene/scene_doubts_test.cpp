@@ -224,6 +224,52 @@ TEST_CASE("of several bodies with one doubt the worst comes first", "[fracture][
                      "few_layers bodies.3.mesh", "run_too_short duration"});
 }
 
+TEST_CASE("advice never asks for a mesh that no computer bears", "[fracture][settings]") {
+  const auto remedy = [](const std::string& code, auto change) {
+    Scene scene = fine();
+    change(scene);
+    std::string text;
+    for (const SettingFinding& f : scene_doubts(scene)) {
+      if (f.finding.code == code) text = f.finding.remedy;
+    }
+    REQUIRE_FALSE(text.empty());
+    return text;
+  };
+  const auto plate = [&](int cells) {
+    return remedy("few_layers", [&](Scene& s) {
+      s.bodies[0].mesh = suite::kuhn_box({cells, cells, 1}, 0.8 / cells);
+    });
+  };
+  CHECK(plate(4).find("a mesh of at least four layers (about 6e+03 tetrahedra)") !=
+        std::string::npos);
+  const std::string large = plate(40);
+  CHECK(large.find("flat cells in four layers") != std::string::npos);
+  CHECK(large.find("at least four") == std::string::npos);
+  const auto tip = [&](double energy) {
+    return remedy("tip_not_resolved", [&](Scene& s) {
+      s.fracture.crack = CrackMode::cohesive;
+      s.bodies[0].material.fracture_energy = energy;
+    });
+  };
+  CHECK(tip(30).starts_with("take cells of"));
+  CHECK(tip(0.3).find("take cells of") == std::string::npos);
+  CHECK(tip(0.3).find("trust energies") == 0);
+}
+
+TEST_CASE("a mug in millimetres is doubted, a house in metres is not", "[fracture][settings]") {
+  const auto of_size = [](double cell) {
+    Scene scene = fine();
+    scene.bodies[0].mesh = suite::kuhn_box({8, 4, 4}, cell);
+    scene.duration = 1;
+    return scene_doubts(scene);
+  };
+  CHECK(of_size(1).empty());
+  const auto mug = of_size(11);
+  REQUIRE(mug.size() == 1);
+  CHECK(mug[0].finding.code == "odd_unit");
+  CHECK(mug[0].finding.remedy.find("\"units\": \"mm\"") != std::string::npos);
+}
+
 TEST_CASE("cohesive cracks that the cells do not resolve are doubted by body",
           "[fracture][settings]") {
   const auto with = [](auto change) {
