@@ -34,6 +34,18 @@ StepPaths paths_of(const ContactStep& step) {
   return paths;
 }
 
+std::array<Vec3, 2> surface_load(const ContactStep& step, const Component& component) {
+  std::array<Vec3, 2> sum = {Vec3::Zero(), Vec3::Zero()};
+  const std::vector<Vec3>& force = step.pass.input.loads.force;
+  if (force.empty()) return sum;
+  for (const VertexId v : component.vertices) {
+    const Vec3& f = force[v.index()];
+    sum[0] += f;
+    sum[1] += (step.pass.state.vertices.position[v.index()] - component.centre).cross(f);
+  }
+  return sum;
+}
+
 namespace {
 
 void move_obstacles(ContactStep& step) {
@@ -85,17 +97,11 @@ void sum_impulses(ContactStep& step) {
 void note_loads(ContactStep& step) {
   step.scratch.load_acceleration.clear();
   const MechanicsState& state = step.pass.state;
-  const std::vector<Vec3>& force = step.pass.input.loads.force;
-  if (force.empty()) return;
+  if (step.pass.input.loads.force.empty()) return;
   step.scratch.load_acceleration.resize(state.components.size(), {Vec3::Zero(), Vec3::Zero()});
   for_each_living(state, step.pass.input.members, [&](const Component& component) {
     if (component.supported) return;
-    Vec3 sum = Vec3::Zero(), moment = Vec3::Zero();
-    for (VertexId v : component.vertices) {
-      const Vec3& f = force[v.index()];
-      sum += f;
-      moment += (state.vertices.position[v.index()] - component.centre).cross(f);
-    }
+    const auto [sum, moment] = surface_load(step, component);
     if (sum.isZero(0) && moment.isZero(0)) return;
     step.scratch.load_acceleration[component.id.index()] = {
         sum / component.mass, world_inertia(state, component).inverse() * moment};
@@ -109,11 +115,11 @@ void begin_step(ContactStep& step) {
   const std::size_t balls = step.pass.obstacles.size();
   scratch.blows.component_touched.assign(state.components.size(), 0);
   scratch.blows.ball_touched.assign(balls, 0);
-  scratch.blows.vertex_impulse.assign(state.vertices.size(), Vec3::Zero());
   scratch.left_out.clear();
-  note_loads(step);
   const StepInput& input = step.pass.input;
   if (step.is_wave()) return predict(step.pass.mechanics, state, input, {});
+  scratch.blows.vertex_impulse.assign(state.vertices.size(), Vec3::Zero());
+  note_loads(step);
   prepare(state, input);
   begin_ties(step);
   for_each_living(state, input.members, [&](const Component& component) {

@@ -92,6 +92,10 @@ inline double strength_of(const ContactStep& step, ComponentId id) {
 /// crack closes within one component.
 std::array<Component*, 2> sides_of(const ContactStep& step, const ContactPoint& contact);
 
+/// Sums of the surface loads on a component as the step begins: force (N), and moment about its
+/// centre (N m). Zero without loads.
+std::array<Vec3, 2> surface_load(const ContactStep& step, const Component& component);
+
 /// Paths through the step as it is predicted now.
 StepPaths paths_of(const ContactStep& step);
 

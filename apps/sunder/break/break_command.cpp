@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/scene/reading/length_unit.hpp"
 #include "apps/sunder/break/blow.hpp"
 #include "apps/sunder/break/fill.hpp"
 #include "apps/sunder/break/outcome.hpp"
@@ -231,9 +232,11 @@ void add_object_options(CLI::App& command, BreakArguments& a) {
   CLI::Option* size = command.add_option("--size", a.size, "Longest side of the object: scales it")
                           ->type_name("LENGTH")
                           ->check(check_length);
+  std::vector<std::string> units;
+  for (const LengthUnitTraits& unit : length_units) units.emplace_back(unit.name);
   command.add_option("--units", a.units, "Unit of THING's coordinates")
       ->type_name("m|cm|mm|um|in|ft")
-      ->check(CLI::IsMember({"m", "cm", "mm", "um", "in", "ft"}))
+      ->check(CLI::IsMember(units))
       ->excludes(size);
   const std::map<std::string, UpAxis> axes{{"x", UpAxis::x}, {"-x", UpAxis::minus_x},
                                            {"y", UpAxis::y}, {"-y", UpAxis::minus_y},

@@ -179,21 +179,22 @@ Mat3 turn_of(WaveRigid& body, double& work) {
   Eigen::Quaterniond by =
       rotation_of(body.turned - 0.5 * body.since_turn * body.since_turn * gyration);
   Mat3 R = by.toRotationMatrix();
-  const Mat3 inverse_inertia = R * body.inverse_inertia * R.transpose();
-  const Vec3 spin = inverse_inertia * momentum;
-  const double error = 0.5 * (momentum.dot(spin) - energy);
+  const Mat3 before = body.inverse_inertia;
+  body.inverse_inertia = R * before * R.transpose();
+  body.spin = body.inverse_inertia * momentum;
+  const double error = 0.5 * (momentum.dot(body.spin) - energy);
   // A turn by d changes the energy by d . (w x L).
-  const Vec3 slope = spin.cross(momentum);
+  const Vec3 slope = body.spin.cross(momentum);
   if (body.twist != body.twist_at_turn) {
     work += error;
   } else if (std::abs(error) > 1e-15 * energy && slope.squaredNorm() > 0) {
     by = rotation_of(-error / slope.squaredNorm() * slope) * by;
     R = by.toRotationMatrix();
+    body.inverse_inertia = R * before * R.transpose();
+    body.spin = body.inverse_inertia * momentum;
   }
   body.twist_at_turn = body.twist;
   body.orientation = (by * body.orientation).normalized();
-  body.inverse_inertia = R * body.inverse_inertia * R.transpose();
-  body.spin = body.inverse_inertia * momentum;
   return R;
 }
 

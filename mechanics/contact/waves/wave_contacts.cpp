@@ -225,21 +225,6 @@ void gather_contacts(ContactStep& step) {
   step.contacts = step.scratch.detect.found;
 }
 
-namespace {
-
-/// Surface loads on a component as the part begins.
-void take_loads(WaveRigid& body, const Component& c, const ContactStep& step) {
-  const std::vector<Vec3>& force = step.pass.input.loads.force;
-  if (force.empty()) return;
-  for (const VertexId v : c.vertices) {
-    const Vec3 arm = step.pass.state.vertices.position[v.index()] - c.centre;
-    body.push += force[v.index()];
-    body.torque += arm.cross(force[v.index()]);
-  }
-}
-
-}  // namespace
-
 void enlist_rigid(WaveScratch& wave, const ContactStep& step) {
   const MechanicsState& state = step.pass.state;
   std::vector<WaveRigid>& rigid = wave.contacts.rigid;
@@ -253,7 +238,9 @@ void enlist_rigid(WaveScratch& wave, const ContactStep& step) {
     body.component = c.id;
     body.centre = c.centre;
     body.orientation = c.orientation;
-    take_loads(body, c, step);
+    const auto [push, torque] = surface_load(step, c);
+    body.push = push;
+    body.torque = torque;
     if (c.supported) {
       body.velocity = c.frame_velocity;
     } else {
