@@ -22,6 +22,9 @@ The fracture energy follows from the toughness: K_Ic^2 (1 - nu^2) / E.
 Friction and Weibull's modulus are for the keys contact.friction and bodies[].strength.weibull, which
 a name does not set. Real samples differ: strengths by half, moduli by a fifth.
 
+The sources were read in copies of pages. Ranges are in the units of the table. Friction and
+Weibull's modulus are typical where a source does not give them: ceramics have moduli of 5 to 20.
+
 Exit codes: 0 done, 2 usage, 3 no material has the name.
 )";
 

@@ -18,6 +18,8 @@ struct NamedMaterial {
   Material material;         ///< with a toughness, from which the fracture energy follows
   double friction = 0;       ///< Coulomb's coefficient on a rough floor
   double weibull = 0;        ///< Weibull's modulus of strengths
+  /// Tables, data sheets and abstracts that were read, with the range of their numbers (E in GPa,
+  /// strength in MPa, toughness in MPa sqrt(m)). Numbers that none of them has are typical ones.
   std::string_view source;
 };
 

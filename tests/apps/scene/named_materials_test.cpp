@@ -35,6 +35,13 @@ TEST_CASE("each named material is a valid one of a kind that exists", "[material
   }
 }
 
+TEST_CASE("fracture energies of named materials are those of their sources", "[materials]") {
+  // Mohammed, Hughes and Danraka: 47.4 J/m^2 of full scale bricks.
+  CHECK(fracture_energy_of(find_material("brick")->material) == Approx(47.4).epsilon(0.01));
+  // Dowling's Westerly granite: K_Ic^2 (1 - nu^2) / E.
+  CHECK(fracture_energy_of(find_material("granite")->material) == Approx(15.2).epsilon(0.01));
+}
+
 TEST_CASE("materials are found whatever the case of their name and its spaces", "[materials]") {
   for (const NamedMaterial& m : named_materials()) CHECK(find_material(m.name) == &m);
   CHECK(find_material("Glass") == find_material("glass"));
