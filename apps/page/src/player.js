@@ -2,7 +2,7 @@
 // Steps the engine, keeps what it computed, and says which frame is shown. Pictures never wait for
 // a step nor steps for a picture: at most one request is on its way.
 import { largestJump } from './jump.js';
-import { readFans } from './layout.js';
+import { readFans, readMaterials } from './layout.js';
 import { Recording } from './recording.js';
 
 const perStep = [
@@ -46,7 +46,10 @@ export class Player {
       const { warnings } = await this.ask('load', { scene });
       this.warnings = warnings;
       this.recording.clear();
-      this.record(await this.ask('read', { columns: [...perStep, ...this.perShape] }));
+      const start = await this.ask('read', { columns: [...perStep, ...this.perShape, 'material'] });
+      this.materials = readMaterials(start.columns.material);
+      delete start.columns.material;
+      this.record(start);
     });
     await this.save();
   }
