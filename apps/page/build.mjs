@@ -25,6 +25,8 @@ const scenes = [
   ['ring', join(here, 'scenes')],
   ['block', meshes],
   ['bar', meshes],
+  ['ball', meshes],
+  ['vase', meshes],
 ];
 
 mkdirSync(join(out, 'scenes'), { recursive: true });
