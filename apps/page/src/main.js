@@ -63,7 +63,7 @@ async function openNow(next) {
   at('changed').hidden = true;
   const isNew = next !== fitted;
   scene = next;
-  at('about').textContent = JSON.parse(scene.text).description ?? '';
+  at('about').textContent = at('about').title = JSON.parse(scene.text).description ?? '';
   picked = null;
   at('vertex').hidden = true;
   await player.open({ ...scene, settings: isNew ? [] : sliders.settings() });
@@ -236,7 +236,7 @@ function show() {
   stage.setObstacles(frame.columns.obstacle, frame.shape.solid);
   showMarks(frame);
   showLists(frame);
-  const mm = (jump) => (1000 * jump).toPrecision(2);
+  const mm = (jump) => (1000 * jump).toFixed(2);
   at('jump').textContent = `Largest jump from the frame before: ${mm(frame.jump.drawn)} mm; without smoothing ${mm(frame.jump.target)} mm`;
   const clip = Number(at('clip').value);
   stage.renderer.clippingPlanes = [];
@@ -247,7 +247,7 @@ function show() {
   at('time').max = player.recording.frames.length - 1;
   at('time').value = player.row;
   const computed = frame.report.stageMs.reduce((sum, part) => sum + part, 0);
-  at('cost').textContent = `computed in ${computed.toPrecision(3)} ms, a picture every ${between.toFixed(0)} ms`;
+  at('cost').textContent = `${computed.toPrecision(3)} ms a step, ${between.toFixed(0)} ms a picture`;
   at('clock').textContent = `step ${frame.report.step}, ${(1000 * frame.report.time).toFixed(2)} ms`;
   at('branch').hidden = player.isAtEnd();
   at('play').textContent = player.playing ? '❚❚' : '▶';
@@ -283,6 +283,8 @@ function draw(now) {
     stage.stale = true;
     if (picked !== null) inspect();
   }
+  const waited = start - (player.asked ?? start);
+  if (waited > 500) at('cost').textContent = `computing for ${(waited / 1000).toFixed(1)} s`;
   longest.page = Math.max(longest.page, performance.now() - start);
   const drawing = performance.now();
   drawn = stage.draw() ? now : null;

@@ -29,6 +29,7 @@ export class Player {
     this.changing = false; // another scene or an earlier state is on its way: no step is asked for
     this.longest = 0; // ms: that a frame took to be recorded
     this.pull = null; // the newest place of the spring, not yet sent
+    this.asked = null; // ms: when the step that is on its way was asked for
   }
 
   /// One request after the other, in their order.
@@ -101,9 +102,10 @@ export class Player {
   async step() {
     const last = this.recording.last;
     if (this.changing || !last || last.report.failed) return; // nothing is loaded yet, or it cannot go on
+    this.asked = performance.now();
     const answer = await this.ask('step', {
       count: 1, columns: perStep, shape: last.report.shape, shapeColumns: this.perShape,
-    });
+    }).finally(() => (this.asked = null));
     if (!answer.report.failed && answer.report.step !== last.report.step + 1) {
       throw new Error('another page has started the scene anew: the program serves one page at a time. Restart takes it back.');
     }
