@@ -153,7 +153,7 @@ async function checkNamed({ page, expect, picture, steps }) {
   await page.evaluate(() => sunder.open({
     name: 'named.json', files: {},
     text: JSON.stringify({
-      bodies: [{ shape: { box: { size: [0.3, 0.2, 0.1] }, tetrahedra: 600 }, material: 'glass', translation: [0, 0, 0.0505], velocity: [0, 0, -8] }],
+      bodies: [{ shape: { box: { size: [0.3, 0.2, 0.1] }, tetrahedra: 600 }, material: 'glass', translation: [0, 0, 0.0505], velocity: [0, 0, -12] }],
       obstacles: [{ plane: { normal: [0, 0, 1] } }],
       time_step: 2e-4,
       duration: 0.02,
