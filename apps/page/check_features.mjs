@@ -178,7 +178,8 @@ async function checkKeys({ page, expect, picture, steps }) {
   const to = await camera();
   expect(to.some((x, i) => Math.abs(x - from[i]) > 1e-3), 'keys turn the camera');
   await page.keyboard.press('r');
-  await page.waitForFunction(() => sunder.player.recording.frames.length === 1);
+  await page.evaluate(() => sunder.opened());
+  await picture('restarted');
   const kept = await camera();
   await page.keyboard.press('c');
   const back = await camera();
