@@ -7,8 +7,8 @@ here=$(cd "$(dirname "$0")" && pwd)
 meshes=$here/../../meshes/scenes
 wasm=$1 native=$2 failed=0
 check() { # scene's file, steps
-  in_host=$("$native" "$1" "$2" 2>/dev/null)
-  in_page=$(node "$here/hash.mjs" "$wasm" "$1" "$2" 2>/dev/null)
+  in_host=$("$native" "$1" "$2")
+  in_page=$(node "$here/hash.mjs" "$wasm" "$1" "$2")
   if [ "$in_page" = "$in_host" ]; then
     echo "ok     $(basename "$1" .json): $in_host"
   else
