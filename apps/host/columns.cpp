@@ -78,6 +78,11 @@ void add_solids(Column& column, const std::vector<Obstacle>& obstacles) {
   }
 }
 
+void add_material(Column& column, const Material& m) {
+  column.add_doubles({m.young_modulus, m.poisson_ratio, m.density, m.tensile_strength,
+                      m.toughness.value_or(0), m.fracture_energy.value_or(0)});
+}
+
 /// Rest positions with points on cracks near the planes of those.
 void add_smooth(Column& column, const SimulationState& s) {
   const std::vector<Vec3> moves = smooth_crack_moves(s.cells);
@@ -163,6 +168,9 @@ void fill_column(std::vector<unsigned char>& bytes, const Simulation& simulation
       return;
     case SUNDER_SOLID:
       return add_solids(column, simulation.state->obstacles);
+    case SUNDER_MATERIAL:
+      for (const BodySettings& body : simulation.scene.bodies) add_material(column, body.material);
+      return;
     case SUNDER_CONTACT:
     case SUNDER_CRACK_FRONT:
       return fill_marks(column, *simulation.state, kind);

@@ -160,7 +160,10 @@ typedef enum sunder_column {
       1 if the oracle predicts a piece; row of SUNDER_FAN; 0. For a face that another fan had split,
       all but the first are 0xffffffff or 0. */
   SUNDER_FAN_FACE = 23,
-  SUNDER_COLUMNS = 24
+  /** double 6 per body: Young's modulus, Pa; Poisson's ratio; density, kg/m^3; strength, Pa;
+      toughness, Pa sqrt(m); fracture energy, J/m^2. 0 for one of the last two that is not given. */
+  SUNDER_MATERIAL = 24,
+  SUNDER_COLUMNS = 25
 } sunder_column;
 
 /** Bytes of the engine, valid until its next call. */

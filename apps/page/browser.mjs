@@ -8,6 +8,8 @@ import { tmpdir } from 'node:os';
 import { basename, dirname, extname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
+import { meshFiles } from './src/scenes.js';
+
 export const scenes = join(dirname(fileURLToPath(import.meta.url)), '../../meshes/scenes');
 
 /// The value behind `--name` on the command line; null where it is not there.
@@ -49,7 +51,7 @@ export async function view(program, folder, path = join(scenes, 'monolith.json')
   mkdirSync(dirname(scene), { recursive: true });
   const content = changed(JSON.parse(readFileSync(path)));
   writeFileSync(scene, JSON.stringify(content));
-  for (const { mesh } of content.bodies) copyFileSync(join(dirname(path), mesh), join(dirname(scene), mesh));
+  for (const mesh of meshFiles(content)) copyFileSync(join(dirname(path), mesh), join(dirname(scene), mesh));
   const child = spawn(resolve(program), ['view', scene, '--headless', '--page', folder], { stdio: ['ignore', 'pipe', 'inherit'] });
   process.on('exit', () => child.kill());
   const address = await new Promise((ready, fail) => {

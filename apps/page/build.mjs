@@ -7,6 +7,8 @@ import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { gzipSync } from 'node:zlib';
 
+import { meshFiles } from './src/scenes.js';
+
 const here = dirname(fileURLToPath(import.meta.url));
 const option = (name, otherwise) => {
   const at = process.argv.indexOf(name);
@@ -23,6 +25,8 @@ const scenes = [
   ['ring', join(here, 'scenes')],
   ['block', meshes],
   ['bar', meshes],
+  ['ball', meshes],
+  ['vase', meshes],
 ];
 
 mkdirSync(join(out, 'scenes'), { recursive: true });
@@ -41,8 +45,7 @@ if (existsSync(wasm)) copyFileSync(wasm, join(out, 'sunder.wasm'));
 
 const list = scenes.map(([name, folder]) => {
   const text = readFileSync(join(folder, `${name}.json`), 'utf8');
-  const files = [...new Set(JSON.parse(text).bodies.map((body) => body.mesh))];
-  const named = files.map((file) => {
+  const named = meshFiles(JSON.parse(text)).map((file) => {
     const target = file.split('/').at(-1);
     copyFileSync(join(folder, file), join(out, 'scenes', target));
     return [file, target];

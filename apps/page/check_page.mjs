@@ -166,7 +166,7 @@ await page.evaluate((bytes) => {
   window.dispatchEvent(new DragEvent('drop', { dataTransfer: drop, cancelable: true }));
 }, [...gzipSync(own)]);
 await page.waitForFunction(() => document.getElementById('about').textContent.startsWith('own.mesh'));
-await page.waitForFunction(() => sunder.player.recording.last?.columns.obstacle.length === 16);
+await page.evaluate(() => sunder.opened());
 const fallen = await steps(4);
 expect(fallen.step === 4, `a mesh dropped on the page falls: ${fallen.pieces} pieces`);
 await page.evaluate(() => {

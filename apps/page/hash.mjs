@@ -5,13 +5,14 @@
 import { readFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 
+import { meshFiles } from './src/scenes.js';
 import { WasmEngine } from './src/wasm_engine.js';
 
 const [wasm, path, steps] = process.argv.slice(2);
 const engine = new WasmEngine(new WebAssembly.Module(readFileSync(wasm)), (t) => process.stderr.write(t));
 const text = readFileSync(path, 'utf8');
 const files = Object.fromEntries(
-  JSON.parse(text).bodies.map(({ mesh }) => [mesh, new Uint8Array(readFileSync(join(dirname(path), mesh)))]),
+  meshFiles(JSON.parse(text)).map((mesh) => [mesh, new Uint8Array(readFileSync(join(dirname(path), mesh)))]),
 );
 engine.load({ text, name: path, files });
 const start = performance.now();

@@ -28,6 +28,7 @@ export const columns = {
   crackFront: { id: 21, array: Uint32Array },
   fan: { id: 22, array: Float64Array },
   fanFace: { id: 23, array: Uint32Array },
+  material: { id: 24, array: Float64Array },
 };
 
 export const reportSize = 168;
@@ -96,6 +97,14 @@ export function readVertex(view, at) {
     position: f64(176, 3),
     speed: f64(200, 1)[0],
   };
+}
+
+/// Materials of the column `material`, one a body, in SI units.
+export function readMaterials(rows) {
+  return Array.from({ length: rows.length / 6 }, (_, k) => {
+    const [young, poisson, density, strength, toughness, energy] = rows.subarray(6 * k, 6 * k + 6);
+    return { young, poisson, density, strength, toughness: toughness || undefined, energy: energy || undefined };
+  });
 }
 
 /// No row: of a vertex that did not come apart, of a face that was split before.

@@ -26,12 +26,13 @@ const looks = {
 };
 let body = null;
 let scene = null;
+let fitted = null; // the scene that sliders and camera are set to
 let picked = null;
 /// ms: longest that a picture took of the page's thread, in code of ours and in drawing.
 const longest = { page: 0, drawing: 0 };
 
 let dirty = true;
-const sliders = new MaterialSliders(at);
+const sliders = new MaterialSliders(at, () => attempt(() => again()));
 const player = new Player(engine, {
   frame: () => (dirty = true),
   message: (text) => say(text),
@@ -43,34 +44,51 @@ function say(text) {
   at('message').hidden = !text;
 }
 
-/// What the material of the first body is called after its density and stiffness.
-function lookOf(text) {
-  const material = JSON.parse(text).bodies?.[0]?.material ?? {};
-  return material.young_modulus >= 6e10 ? looks.glass : looks.concrete;
+/// The look of the first body, by its stiffness: glass has 70 GPa, metals and alumina more.
+function look() {
+  const { young } = player.materials[0];
+  return young > 6e10 && young < 1e11 ? looks.glass : looks.concrete;
 }
 
-async function open(next) {
+let opened = Promise.resolve();
+
+/// Opens a scene after those that were asked for before.
+function open(next) {
+  opened = opened.catch(() => {}).then(() => openNow(next));
+  return opened;
+}
+
+async function openNow(next) {
   say('');
   at('changed').hidden = true;
-  if (next !== scene) sliders.open(next.text);
+  const isNew = next !== fitted;
   scene = next;
-  at('about').textContent = JSON.parse(scene.text).description ?? '';
+  at('about').textContent = at('about').title = JSON.parse(scene.text).description ?? '';
   picked = null;
   at('vertex').hidden = true;
-  await player.open({ ...scene, settings: sliders.settings() });
+  await player.open({ ...scene, settings: isNew ? [] : sliders.settings() });
   const box = new THREE.Box3().setFromArray(player.recording.last.columns.position);
-  if (scene.needsFloor) return open(withFloor(scene, box));
+  if (scene.needsFloor) return openNow(withFloor(scene, box));
+  if (isNew) sliders.open(scene.text, player.materials);
   stage.clear();
   if (body) stage.scene.remove(body.group);
-  body = new BodyMesh(lookOf(scene.text));
+  body = new BodyMesh(look());
   stage.scene.add(body.group);
   shownShape = null;
-  stage.frame(box);
+  if (isNew) stage.frame(box);
+  fitted = scene;
   mark(-1);
   host.body = body;
   tools.host = host;
   labels();
   dirty = true;
+}
+
+/// The same scene from its start, with the sliders as they are; it goes on if it was playing.
+async function again() {
+  const { playing } = player;
+  await open(scene);
+  if (playing) player.play();
 }
 
 /// Size of balls: a tenth of the body, and the density of steel.
@@ -218,7 +236,7 @@ function show() {
   stage.setObstacles(frame.columns.obstacle, frame.shape.solid);
   showMarks(frame);
   showLists(frame);
-  const mm = (jump) => (1000 * jump).toPrecision(2);
+  const mm = (jump) => (1000 * jump).toFixed(2);
   at('jump').textContent = `Largest jump from the frame before: ${mm(frame.jump.drawn)} mm; without smoothing ${mm(frame.jump.target)} mm`;
   const clip = Number(at('clip').value);
   stage.renderer.clippingPlanes = [];
@@ -228,6 +246,8 @@ function show() {
   body.mesh.material.clippingPlanes = body.ghost.material.clippingPlanes = clip > 0 ? [stage.plane] : [];
   at('time').max = player.recording.frames.length - 1;
   at('time').value = player.row;
+  const computed = frame.report.stageMs.reduce((sum, part) => sum + part, 0);
+  at('cost').textContent = `${computed.toPrecision(3)} ms a step, ${between.toFixed(0)} ms a picture`;
   at('clock').textContent = `step ${frame.report.step}, ${(1000 * frame.report.time).toFixed(2)} ms`;
   at('branch').hidden = player.isAtEnd();
   at('play').textContent = player.playing ? '❚❚' : '▶';
@@ -250,8 +270,12 @@ function saves() {
   );
 }
 
-function draw() {
+let drawn = null; // when the last picture was drawn, unless one was left out since
+let between = 0; // ms from picture to picture
+
+function draw(now) {
   requestAnimationFrame(draw);
+  if (drawn !== null) between += (between ? 0.2 : 1) * (now - drawn - between);
   const start = performance.now();
   if (dirty) {
     dirty = false;
@@ -259,9 +283,11 @@ function draw() {
     stage.stale = true;
     if (picked !== null) inspect();
   }
+  const waited = start - (player.asked ?? start);
+  if (waited > 500) at('cost').textContent = `computing for ${(waited / 1000).toFixed(1)} s`;
   longest.page = Math.max(longest.page, performance.now() - start);
   const drawing = performance.now();
-  stage.draw();
+  drawn = stage.draw() ? now : null;
   longest.drawing = Math.max(longest.drawing, performance.now() - drawing);
 }
 
@@ -296,6 +322,7 @@ function listen(known) {
   at('play').addEventListener('click', () => player.toggle());
   at('once').addEventListener('click', () => player.once());
   at('restart').addEventListener('click', () => attempt(() => open(scene)));
+  at('home').addEventListener('click', () => stage.frame());
   at('branch').addEventListener('click', () => attempt(() => player.branch()));
   at('pace').addEventListener('change', () => (player.pace = Number(at('pace').value)));
   at('message').addEventListener('click', () => say(''));
@@ -316,7 +343,7 @@ function listen(known) {
     const turn = (aside, up, nearer) => () => turnCamera(stage, aside, up, nearer);
     const keys = {
       ' ': () => player.toggle(), '.': () => player.once(), r: () => attempt(() => open(scene)),
-      b: () => at('branch').hidden || attempt(() => player.branch()), p: savePicture,
+      b: () => at('branch').hidden || attempt(() => player.branch()), p: savePicture, c: () => stage.frame(),
       a: turn(-0.1, 0, 1), d: turn(0.1, 0, 1), w: turn(0, 0.1, 1), s: turn(0, -0.1, 1),
       '+': turn(0, 0, 0.9), '-': turn(0, 0, 1 / 0.9),
       '[': () => at('faceBefore').click(), ']': () => at('faceAfter').click(),
@@ -363,4 +390,4 @@ async function begin() {
 
 begin().catch((error) => say(error.message));
 /// For tests that drive the page.
-window.sunder = { player, stage, engine, body: () => body, longest, open, fanView, sliders, scene: () => scene };
+window.sunder = { player, stage, engine, body: () => body, longest, open, opened: () => opened, fanView, sliders, scene: () => scene };

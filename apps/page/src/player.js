@@ -2,7 +2,7 @@
 // Steps the engine, keeps what it computed, and says which frame is shown. Pictures never wait for
 // a step nor steps for a picture: at most one request is on its way.
 import { largestJump } from './jump.js';
-import { readFans } from './layout.js';
+import { readFans, readMaterials } from './layout.js';
 import { Recording } from './recording.js';
 
 const perStep = [
@@ -29,6 +29,7 @@ export class Player {
     this.changing = false; // another scene or an earlier state is on its way: no step is asked for
     this.longest = 0; // ms: that a frame took to be recorded
     this.pull = null; // the newest place of the spring, not yet sent
+    this.asked = null; // ms: when the step that is on its way was asked for
   }
 
   /// One request after the other, in their order.
@@ -46,7 +47,10 @@ export class Player {
       const { warnings } = await this.ask('load', { scene });
       this.warnings = warnings;
       this.recording.clear();
-      this.record(await this.ask('read', { columns: [...perStep, ...this.perShape] }));
+      const start = await this.ask('read', { columns: [...perStep, ...this.perShape, 'material'] });
+      this.materials = readMaterials(start.columns.material);
+      delete start.columns.material;
+      this.record(start);
     });
     await this.save();
   }
@@ -98,9 +102,10 @@ export class Player {
   async step() {
     const last = this.recording.last;
     if (this.changing || !last || last.report.failed) return; // nothing is loaded yet, or it cannot go on
+    this.asked = performance.now();
     const answer = await this.ask('step', {
       count: 1, columns: perStep, shape: last.report.shape, shapeColumns: this.perShape,
-    });
+    }).finally(() => (this.asked = null));
     if (!answer.report.failed && answer.report.step !== last.report.step + 1) {
       throw new Error('another page has started the scene anew: the program serves one page at a time. Restart takes it back.');
     }

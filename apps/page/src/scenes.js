@@ -21,6 +21,11 @@ export async function listedScene(scene) {
   return { name: `${scene.name}.json`, text: scene.text, files: Object.fromEntries(files) };
 }
 
+/// Names of the mesh files of a scene: bodies of the key `shape` have none.
+export function meshFiles({ bodies, obstacles = [] }) {
+  return [...new Set([...bodies, ...obstacles].map((part) => part.mesh).filter(Boolean))];
+}
+
 /// A file's bytes, unpacked where it is packed: the engine of the page has no zlib.
 async function bytesOf(file) {
   const bytes = new Uint8Array(await file.arrayBuffer());

@@ -106,8 +106,9 @@ export class Stage {
     this.camera.updateProjectionMatrix();
   }
 
-  /// Camera and light for a body in `box`.
-  frame(box) {
+  /// Camera and light for a body in `box`, the one before if it is left out.
+  frame(box = this.box) {
+    this.box = box;
     const centre = box.getCenter(new THREE.Vector3());
     this.size = box.getSize(new THREE.Vector3()).length();
     const seen = centre.clone().add(new THREE.Vector3(0, 0, -0.07 * this.size)); // above the footer
@@ -197,13 +198,14 @@ export class Stage {
     return caster.ray;
   }
 
-  /// Draws, where anything is otherwise than in the picture before.
+  /// Draws, where anything is otherwise than in the picture before. Returns whether it drew.
   draw() {
-    if (!this.controls.update() && !this.stale) return;
+    if (!this.controls.update() && !this.stale) return false;
     this.renderer.shadowMap.needsUpdate = this.stale;
     this.stale = false;
     this.renderer.info.reset();
     if (this.hasAmbient) this.ambient.draw(this.renderer, this.scene, this.camera, 0.07 * this.size);
     else this.renderer.render(this.scene, this.camera);
+    return true;
   }
 }

@@ -2,16 +2,23 @@
 // What the pointer does: shoot, pull, cut, inspect. Dragging beside a piece turns the camera.
 import * as THREE from 'three';
 
+const hints = {
+  shoot: 'Click: a ball flies there.',
+  pull: 'Press on a body and move: a spring pulls it.',
+  cut: 'Draw a line across a body: it cuts. Shift and drag turns.',
+  pick: 'Click a body: the stress there.',
+};
+
 export class Tools {
   /// `host`: what a tool needs of the page: stage, body, act(action), inspect(vertex), ball().
   constructor(canvas, host) {
     this.canvas = canvas;
     this.host = host;
-    this.tool = 'shoot';
     this.press = null;
     canvas.addEventListener('pointerdown', (event) => this.down(event), true);
     canvas.addEventListener('pointermove', (event) => this.move(event), true);
     canvas.addEventListener('pointerup', (event) => this.up(event), true);
+    this.choose('shoot');
   }
 
   choose(tool) {
@@ -19,6 +26,7 @@ export class Tools {
     for (const button of document.querySelectorAll('[data-tool]')) {
       button.setAttribute('aria-pressed', String(button.dataset.tool === tool));
     }
+    document.getElementById('hint').textContent = hints[tool];
   }
 
   ray(event) {

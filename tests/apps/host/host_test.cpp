@@ -17,6 +17,7 @@
 
 #include "apps/scene/scene_json.hpp"
 #include "fracture/simulation/simulation.hpp"
+#include "mechanics/state/settings/named_materials.hpp"
 
 namespace {
 
@@ -136,6 +137,20 @@ TEST_CASE("columns of a body that breaks fit together", "[host]") {
   CHECK(seen.size() > 1);
   sunder_span span{};
   CHECK(sunder_read(engine.get(), SUNDER_COLUMNS, &span) == 1);
+}
+
+TEST_CASE("a host reads the material of each body, also of one with a name", "[host]") {
+  const std::string text = R"({"bodies": [
+    {"shape": {"sphere": {"radius": 0.1}, "tetrahedra": 50}, "material": "glass"},
+    {"shape": {"sphere": {"radius": 0.1}, "tetrahedra": 50}, "translation": [1, 0, 0],
+     "material": {"young_modulus": 2e9, "poisson_ratio": 0.3, "density": 1000,
+                  "tensile_strength": 1e6, "fracture_energy": 7}}]})";
+  const Engine engine = create(text, "", "", {"bodies.0.material.tensile_strength=3e7"});
+  REQUIRE(engine);
+  const sunder::Material glass = sunder::find_material("glass")->material;
+  CHECK(column<double>(engine, SUNDER_MATERIAL) ==
+        std::vector{glass.young_modulus, glass.poisson_ratio, glass.density, 3e7, *glass.toughness,
+                    0.0, 2e9, 0.3, 1000.0, 1e6, 0.0, 7.0});
 }
 
 TEST_CASE("a vertex that a host inspects has the stress of the column", "[host]") {

@@ -8,10 +8,11 @@ const src = new URL('../../../apps/page/src/', import.meta.url);
 const { faceWords, fanOfVertex, fanWords } = await import(new URL('fans.js', src));
 const { fragmentRows } = await import(new URL('fragments.js', src));
 const { largestJump } = await import(new URL('jump.js', src));
-const { none, readFans } = await import(new URL('layout.js', src));
+const { none, readFans, readMaterials } = await import(new URL('layout.js', src));
+const { MaterialSliders } = await import(new URL('material.js', src));
 const { Recording } = await import(new URL('recording.js', src));
 const { ServerEngine } = await import(new URL('engines.js', src));
-const { droppedScene } = await import(new URL('scenes.js', src));
+const { droppedScene, meshFiles } = await import(new URL('scenes.js', src));
 const { Player } = await import(new URL('player.js', src));
 
 /// Two fans: one of two faces, the second of which parts all three vertices; then a cut of one face.
@@ -143,7 +144,7 @@ test('a page learns that another has started the scene anew', async () => {
 test('no step is asked for while another scene or an earlier state is on its way', async () => {
   const asked = [];
   const none = new Float64Array();
-  const columns = () => ({ face: new Uint32Array(), pose: none, drawnPose: none, fan: none, fanFace: new Uint32Array() });
+  const columns = () => ({ face: new Uint32Array(), pose: none, drawnPose: none, fan: none, fanFace: new Uint32Array(), material: none });
   const report = { step: 0, shape: 0 };
   const engine = {
     ask: async (work) => {
@@ -161,4 +162,50 @@ test('no step is asked for while another scene or an earlier state is on its way
   await player.step();
   await back;
   assert.deepEqual(asked, ['load', 'read', 'save', 'load', 'read', 'save', 'restore', 'read']);
+});
+
+/// Sliders over plain objects, opened with bodies of these materials (rows of the column `material`).
+function slidersOf(scene, ...rows) {
+  const elements = {};
+  const listeners = {};
+  const at = (id) => (elements[id] ??= {
+    value: '', disabled: false, textContent: '',
+    addEventListener: (event, call) => (listeners[`${id} ${event}`] = call),
+  });
+  let changes = 0;
+  const sliders = new MaterialSliders(at, () => ++changes);
+  sliders.open(JSON.stringify(scene), readMaterials(new Float64Array(rows.flat())));
+  const slide = (id, value) => {
+    at(id).value = value;
+    listeners[`${id} input`]?.();
+    listeners[`${id} change`]();
+  };
+  return { sliders, at, slide, changes: () => changes };
+}
+const glass = [70e9, 0.22, 2500, 45e6, 0.75e6, 0];
+const brick = [15e9, 0.15, 1800, 2e6, 0, 100];
+
+test('sliders show the material that the engine has, also of a scene with its name alone', () => {
+  const { at } = slidersOf({ bodies: [{ shape: {}, material: 'glass' }] }, glass);
+  assert.deepEqual(['strength', 'toughness', 'energy'].map((id) => at(`${id}Value`).textContent), ['45.0 MPa', '750 kPa √m', '7.65 J/m²']);
+  assert.equal(at('energy').disabled, true);
+  const endless = slidersOf({}, [70e9, 0.22, 2500, Infinity, 0, 0]);
+  assert.deepEqual(['strength', 'toughness', 'energy'].map((id) => endless.at(`${id}Value`).textContent), ['none', 'none', 'none']);
+});
+
+test('a slider that is let go acts, on the bodies that have its key', () => {
+  const { sliders, slide, changes } = slidersOf({ gravity: { acceleration: [0, -10, 0] } }, glass, brick);
+  slide('strength', Math.log10(2));
+  slide('toughness', 6);
+  slide('gravity', 5);
+  assert.equal(changes(), 3);
+  assert.deepEqual(sliders.settings(), [
+    'bodies.0.material.tensile_strength=90000000', 'bodies.0.material.toughness=1000000',
+    'bodies.1.material.tensile_strength=4000000', 'gravity.acceleration=[0,-5,0]',
+  ]);
+});
+
+test('files of a scene are those of its meshes: a shape has none', () => {
+  const scene = { bodies: [{ mesh: 'a.msh' }, { shape: {} }, { mesh: 'a.msh' }], obstacles: [{ mesh: 'b.stl' }, { plane: {} }] };
+  assert.deepEqual(meshFiles(scene), ['a.msh', 'b.stl']);
 });
