@@ -31,6 +31,7 @@ StepPaths paths_of(const ContactStep& step) {
                   step.h(),        step.pass.input.members, step.pass.input.neighbours};
   if (step.ahead > 0) paths.time_step = step.ahead;
   paths.margin = step.margin;
+  paths.scope = step.scope;
   return paths;
 }
 
@@ -229,10 +230,10 @@ ContactStepResult advance_with_contact(const ContactWorld& world, const StepInpu
     push_by_penalty(step);
     predict_balls(step);
   } else {
-    update_partners(world.memory, step.scratch.detect, paths_of(step));
     if (step.is_wave()) {
       take_explicit_part(step);
     } else {
+      update_partners(world.memory, step.scratch.detect, paths_of(step));
       remember_start(step);
       result.adopted = resolve(step);
     }

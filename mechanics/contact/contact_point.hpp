@@ -19,9 +19,10 @@ namespace sunder {
 /// corners of B share it by `weights`.
 struct ContactPoint {
   static constexpr std::uint32_t none = 0xffffffffu;
-  static constexpr std::uint8_t edge_place = 4;  ///< `place` of edge 0 (`edge_ends`)
-  VertexId vertex;                               ///< A, or
-  TetId tetrahedron_a;                           ///< A: `weights_a` of its corners, or
+  static constexpr std::uint8_t edge_place = 4;      ///< `place` of edge 0 (`edge_ends`)
+  static constexpr std::uint8_t overlap_place = 16;  ///< and from here on: of overlaps
+  VertexId vertex;                                   ///< A, or
+  TetId tetrahedron_a;                               ///< A: `weights_a` of its corners, or
   std::uint32_t ball = none;      ///< A: row of a sphere, or of an obstacle with corners,
   std::uint32_t corner = none;    ///< and which of them (`corner_at`), or
   std::uint32_t edge_a = none;    ///< which of its edges (`edge_at`): `weights_a` of its two ends
@@ -47,6 +48,7 @@ struct ContactPoint {
 
   bool is_body_a() const { return ball == none; }      ///< A: of a body, not of an obstacle
   bool is_body_b() const { return obstacle == none; }  ///< B: likewise
+  bool is_of_overlap() const { return !tetrahedron.is_none() && place >= overlap_place; }
   /// A: a sphere; its path is that of its centre.
   bool is_sphere_a() const { return ball != none && corner == none && edge_a == none; }
 };

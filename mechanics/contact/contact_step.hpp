@@ -71,8 +71,9 @@ struct ContactStep {
   std::size_t tied_rows = 0;            ///< so many of `contacts`, the first ones, are ties
   double tie_residual = 0;
   Look look = Look::all;
-  double ahead = 0;   ///< s: how far paths go, where that is not the part's length
-  double margin = 0;  ///< m: `StepPaths::margin`
+  double ahead = 0;                   ///< s: how far paths go, where that is not the part's length
+  double margin = 0;                  ///< m: `StepPaths::margin`
+  std::span<const Scope> scope = {};  ///< `StepPaths::scope`
   std::optional<WaveTrace> trace = {};  ///< of explicit steps
   std::uint32_t sub_steps = 1;          ///< of an explicit wave, that were taken
   bool has_left = false;                ///< something was left to the next pass

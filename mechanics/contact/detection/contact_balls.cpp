@@ -176,7 +176,7 @@ void find_touches(std::vector<BallTouch>& touches, std::vector<ComponentId>& ins
   for (std::size_t row = 0; row < scratch.surface.faces.size(); ++row) {
     const HalfFaceId face = scratch.surface.faces[row];
     const TetId t = tetrahedron_of(face);
-    if (!paths.members.has(paths.state.elements.component[t.index()])) continue;
+    if (!paths.is_inside(paths.state.elements.component[t.index()])) continue;
     if (t != last) is_near = may_meet(scratch, paths, ball, t);
     last = t;
     if (!is_near) continue;
@@ -189,7 +189,7 @@ void find_touches(std::vector<BallTouch>& touches, std::vector<ComponentId>& ins
   for (std::size_t t = 0; t < paths.corners.size(); ++t) {
     const ComponentId id = paths.state.elements.component[t];
     const double r = 1.5 * scratch.radius[t];
-    if ((ball.start - scratch.centre_start[t]).squaredNorm() > r * r || !paths.members.has(id)) {
+    if ((ball.start - scratch.centre_start[t]).squaredNorm() > r * r || !paths.is_inside(id)) {
       continue;
     }
     if (holds(paths, TetId{t}, ball.start)) inside.push_back(id);

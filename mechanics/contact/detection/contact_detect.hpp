@@ -67,6 +67,13 @@ struct DetectScratch {
   std::vector<std::uint32_t> order, taken;
 };
 
+/// Part of a component in a search for contacts of some components.
+enum class Scope : std::uint8_t {
+  outside,  ///< none
+  beside,   ///< its contacts with those inside
+  inside,   ///< all its contacts
+};
+
 /// The input of detection. Corners of obstacles are numbered after the vertices of bodies.
 struct StepPaths {
   const MechanicsState& state;
@@ -82,7 +89,20 @@ struct StepPaths {
   /// m: vertices that end so near an obstacle meet it too. The ways of explicit waves are
   /// estimates.
   double margin = 0;
+  /// Row = component: of a search for contacts of some components alone. Empty: of all.
+  std::span<const Scope> scope = {};
 
+  Scope scope_of(ComponentId id) const { return scope.empty() ? Scope::inside : scope[id.index()]; }
+  /// Whether all contacts of a component are looked for.
+  bool is_inside(ComponentId id) const { return members.has(id) && scope_of(id) == Scope::inside; }
+  /// Whether contacts of a component with any other are looked for.
+  bool is_searched(ComponentId id) const {
+    return members.has(id) && scope_of(id) != Scope::outside;
+  }
+  /// Whether contacts between two components are looked for.
+  bool may_meet(ComponentId a, ComponentId b) const {
+    return is_searched(a) && is_searched(b) && (is_inside(a) || is_inside(b));
+  }
   bool is_corner(VertexId v) const { return v.index() >= predicted.size(); }
   const CornerPath& corner_of(VertexId v) const { return corner[v.index() - predicted.size()]; }
   const Vec3& at_start(VertexId v) const {

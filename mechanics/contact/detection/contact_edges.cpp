@@ -55,8 +55,8 @@ MovingEdge moving_edge(const StepPaths& paths, const SurfaceEdge& edge, std::uin
   return moving;
 }
 
-bool is_member(const StepPaths& paths, const SurfaceEdge& edge) {
-  return paths.members.has(paths.state.vertices.component[edge.end[0].index()]);
+bool is_inside(const StepPaths& paths, const SurfaceEdge& edge) {
+  return paths.is_inside(paths.state.vertices.component[edge.end[0].index()]);
 }
 
 MovingEdge moving_edge(const StepPaths& paths, std::uint32_t row, std::uint32_t number) {
@@ -265,13 +265,13 @@ void find_between_edges(DetectScratch& scratch, const StepPaths& paths,
     for_each_edge_within(paths, obstacle, {reach.low, reach.high}, [&](const MovingEdge& other) {
       const Bounds way = bounds_of(other);
       for (std::uint32_t row = 0; row < edges.size(); ++row) {
-        if (!way.overlaps(boxes[row]) || !is_member(paths, edges[row])) continue;
+        if (!way.overlaps(boxes[row]) || !is_inside(paths, edges[row])) continue;
         if (is_sharp(paths, edges[row])) meet_edges(moving_edge(paths, edges[row], row), other);
       }
     });
   }
   if (!has_several_pieces(paths, settings)) return;
-  if (!keeps_pairs(scratch)) {
+  if (!keeps_pairs(scratch, paths)) {
     find_swept_edges(scratch, paths, 10 * band);
     for (const auto& [a, b] : scratch.swept) {
       if (!boxes[a].overlaps(boxes[b]) || are_partners(scratch, edges[a], edges[b])) continue;
@@ -284,9 +284,7 @@ void find_between_edges(DetectScratch& scratch, const StepPaths& paths,
   std::vector<PairContacts> noted;
   for (NearPair& pair : scratch.near_edges.found) {
     if (!is_due(pair, travel)) continue;
-    if (!paths.members.has(ComponentId{pair.body_a}) ||
-        !paths.members.has(ComponentId{pair.body_b}))
-      continue;
+    if (!paths.may_meet(ComponentId{pair.body_a}, ComponentId{pair.body_b})) continue;
     const std::uint32_t a = scratch.edge_row[pair.a], b = scratch.edge_row[pair.b];
     pair.facing = 0;
     pair.quiet = travel.start_of(pair.body_a, pair.body_b) +

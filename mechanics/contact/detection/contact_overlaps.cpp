@@ -14,8 +14,6 @@
 namespace sunder {
 namespace {
 
-/// `ContactPoint::place` of overlaps: above the numbers of faces and edges.
-constexpr std::uint8_t first_place = 16;
 /// m: the overlap that is left alone, by the edge at hand. A first look takes a thousandth of it
 /// and more; later ones take five thousandths and more, since solved contacts bear the rest.
 double least_overlap(const ContactSettings& settings, std::uint8_t pass, double edge) {
@@ -47,8 +45,8 @@ void add(DetectScratch& scratch, const StepPaths& paths, TetId a, TetId b, const
   ContactPoint contact;
   contact.tetrahedron_a = a;
   contact.tetrahedron = b;
-  contact.place_a = static_cast<std::uint8_t>(first_place + pass);
-  contact.place = static_cast<std::uint8_t>(first_place + number);
+  contact.place_a = static_cast<std::uint8_t>(ContactPoint::overlap_place + pass);
+  contact.place = static_cast<std::uint8_t>(ContactPoint::overlap_place + number);
   contact.weights_a = on_surface(places_at_end(paths, a), point.on_a);
   contact.weights = weights_on(contact, on_surface(places_at_end(paths, b), point.on_b), paths);
   contact.normal = normal;
@@ -69,7 +67,7 @@ void find_ball_overlaps(DetectScratch& scratch, const StepPaths& paths, const Ba
     ContactPoint contact;
     contact.ball = ball.row;
     contact.tetrahedron = t;
-    contact.place = static_cast<std::uint8_t>(first_place + pass);
+    contact.place = static_cast<std::uint8_t>(ContactPoint::overlap_place + pass);
     contact.weights = weights_on(contact, on_surface(x, patch.point[0].on_b), paths);
     contact.normal = patch.normal;
     contact.friction = 0.5 * (settings.friction + paths.obstacles[ball.row].friction);
@@ -120,8 +118,8 @@ double find_overlap(DetectScratch& scratch, const StepPaths& paths, const Contac
 /// Overlaps of pieces as the step ends.
 void find_solid_overlaps(DetectScratch& scratch, const StepPaths& paths,
                          const ContactSettings& settings, std::uint8_t pass) {
-  update_near(scratch, paths);
-  if (!keeps_pairs(scratch)) {
+  if (paths.scope.empty()) update_near(scratch, paths);
+  if (!keeps_pairs(scratch, paths)) {
     pair_at_end(scratch, paths);
     for (const auto& [a, b] : scratch.swept) {
       if (boxes_apart(paths, TetId{a}, TetId{b}) > 0) continue;
@@ -136,9 +134,7 @@ void find_solid_overlaps(DetectScratch& scratch, const StepPaths& paths,
   std::vector<PairContacts> noted;
   for (NearPair& pair : scratch.near_solids.found) {
     if (!is_due(pair, travel)) continue;
-    if (!paths.members.has(ComponentId{pair.body_a}) ||
-        !paths.members.has(ComponentId{pair.body_b}))
-      continue;
+    if (!paths.may_meet(ComponentId{pair.body_a}, ComponentId{pair.body_b})) continue;
     const TetId a{pair.a}, b{pair.b};
     pair.facing = 0;
     double apart = boxes_apart(paths, a, b);

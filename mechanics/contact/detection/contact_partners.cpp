@@ -141,8 +141,8 @@ std::array<double, 4> weights_of(const ContactPoint& contact, NodePlace at,
 
 void update_partners(ContactMemory& memory, DetectScratch& scratch, const StepPaths& paths) {
   std::erase_if(memory.partners, [&](const Partner& p) {
-    return component_of(paths, p.face) != component_of(paths, p.opposite) &&
-           among_members(paths, p) && is_apart(paths, p);
+    const ComponentId a = component_of(paths, p.face), b = component_of(paths, p.opposite);
+    return a != b && paths.may_meet(a, b) && is_apart(paths, p);
   });
   std::vector<std::pair<VertexId, VertexId>> before = std::move(scratch.facing);
   scratch.facing.clear();

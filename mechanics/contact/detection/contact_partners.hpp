@@ -7,8 +7,9 @@
 namespace sunder {
 
 /// Forgets partners in different components that have parted or slid by their `reach` as the step
-/// begins, and notes which vertices face each other, into `scratch.facing`. In one component none
-/// is forgotten: nothing else keeps a crack from closing through itself. O(partners).
+/// begins, where contacts of these are looked for (`StepPaths::scope`), and notes which vertices
+/// face each other, into `scratch.facing`. In one component none is forgotten: nothing else keeps a
+/// crack from closing through itself. O(partners).
 void update_partners(ContactMemory& memory, DetectScratch& scratch, const StepPaths& paths);
 
 /// Whether a node faces one of a tetrahedron: then their contact is that of partners.

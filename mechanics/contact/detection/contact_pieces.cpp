@@ -72,11 +72,11 @@ struct Resting {
 bool move_against_each_other(const DetectScratch& scratch, const StepPaths& paths,
                              const SpherePair& pair) {
   if (paths.is_corner(pair.vertex)) {
-    return paths.members.has(paths.state.elements.component[pair.tetrahedron.index()]);
+    return paths.is_inside(paths.state.elements.component[pair.tetrahedron.index()]);
   }
   return !scratch.surface.ring_of(pair.vertex).empty() &&
-         paths.members.has(paths.state.vertices.component[pair.vertex.index()]) &&
-         paths.members.has(paths.state.elements.component[pair.tetrahedron.index()]);
+         paths.may_meet(paths.state.vertices.component[pair.vertex.index()],
+                        paths.state.elements.component[pair.tetrahedron.index()]);
 }
 
 /// Adds `make(face)` for every face of the pair's tetrahedron that is `near` and on the surface,
@@ -118,7 +118,7 @@ std::vector<Resting> gather_swept(std::vector<FaceTouch>& touches, const DetectS
       near[i] = std::abs(gap_of_face) <= reach;
       gap = std::max(gap, gap_of_face);
     }
-    if (!(gap <= std::max(reach, band)) || !move_against_each_other(scratch, paths, pair)) continue;
+    if (!(gap <= std::max(reach, band))) continue;
     const ComponentId other = paths.state.elements.component[t.index()];
     if (gap <= band) resting.push_back({v, other, gap < 0});
     if (gap < 0) continue;
@@ -351,9 +351,10 @@ bool is_mirror(const FaceTouch& touch, std::span<const FaceTouch> all, const Ste
 void find_between_pieces(DetectScratch& scratch, const StepPaths& paths,
                          const ContactSettings& settings, bool among_pieces) {
   pair_up(scratch, paths);
-  if (!among_pieces) {
-    std::erase_if(scratch.pairs, [&](const SpherePair& p) { return !paths.is_corner(p.vertex); });
-  }
+  std::erase_if(scratch.pairs, [&](const SpherePair& p) {
+    if (!among_pieces && !paths.is_corner(p.vertex)) return true;
+    return !move_against_each_other(scratch, paths, p);
+  });
   std::vector<FaceTouch> touches, chosen;
   const double band = settings.allowed_penetration;
   gather_resting(touches, scratch, paths, gather_swept(touches, scratch, paths, band), band);

@@ -23,44 +23,129 @@ SUNDER_INLINE void transpose(Lanes& a, Lanes& b, Lanes& c, Lanes& d) {
   d = __builtin_shufflevector(ab_high, cd_high, 2, 3, 6, 7);
 }
 
-SUNDER_INLINE void add_force(double* inner, const double* displacement, const double* rate,
-                             const ElementBlock& e) {
-  Lanes d[4][4];  // by corner and axis
-  for (int a = 0; a < 4; ++a) {
-    for (int lane = 0; lane < 4; ++lane) {
+/// By node and axis: u + b w of four elements. The fourth axis is empty.
+template <std::size_t nodes>
+SUNDER_INLINE void read(Lanes (&d)[nodes][4], const double* displacement, const double* rate,
+                        const ElementBlock<nodes>& e) {
+  for (std::size_t a = 0; a < nodes; ++a) {
+    for (std::size_t lane = 0; lane < 4; ++lane) {
       const std::size_t row = 4 * e.node[a][lane];
       d[a][lane] = load(displacement + row) + spread(e.viscosity[lane]) * load(rate + row);
     }
     transpose(d[a][0], d[a][1], d[a][2], d[a][3]);
   }
-  Lanes G[3][3];
+}
+
+/// Adds the forces on one node of each of four elements. `f`: by axis, the last one is not used.
+SUNDER_INLINE void add(double* inner, const std::uint32_t (&node)[4], Lanes (&f)[4]) {
+  f[3] = Lanes{0, 0, 0, 0};
+  transpose(f[0], f[1], f[2], f[3]);
+  for (int lane = 0; lane < 4; ++lane) {
+    double* row = inner + 4 * node[lane];
+    store(row, load(row) + f[lane]);
+  }
+}
+
+template <std::size_t nodes>
+SUNDER_INLINE void read_gradients(Lanes (&G)[3][3], const ElementBlock<nodes>& e) {
   for (int a = 0; a < 3; ++a) {
     for (int j = 0; j < 3; ++j) G[a][j] = load(e.gradient[3 * a + j]);
   }
-  Lanes H[3][3];
-  for (int i = 0; i < 3; ++i) {
-    const Lanes d1 = d[1][i] - d[0][i], d2 = d[2][i] - d[0][i], d3 = d[3][i] - d[0][i];
-    for (int j = 0; j < 3; ++j) H[i][j] = d1 * G[0][j] + d2 * G[1][j] + d3 * G[2][j];
-  }
+}
+
+/// V sigma of a gradient.
+template <std::size_t nodes>
+SUNDER_INLINE void find_stress(Lanes (&S)[3][3], const Lanes (&H)[3][3],
+                               const ElementBlock<nodes>& e) {
   const Lanes mu = load(e.mu), spread_trace = load(e.lambda) * (H[0][0] + H[1][1] + H[2][2]);
-  Lanes S[3][3];
   for (int i = 0; i < 3; ++i) {
     S[i][i] = mu * (H[i][i] + H[i][i]) + spread_trace;
     for (int j = 0; j < i; ++j) S[i][j] = S[j][i] = mu * (H[i][j] + H[j][i]);
   }
-  Lanes f[4][4];
+}
+
+SUNDER_INLINE void add_force(double* inner, const double* displacement, const double* rate,
+                             const FirstOrderBlock& e) {
+  Lanes d[4][4], G[3][3], H[3][3], S[3][3], f[4][4];
+  read(d, displacement, rate, e);
+  read_gradients(G, e);
+  for (int i = 0; i < 3; ++i) {
+    const Lanes d1 = d[1][i] - d[0][i], d2 = d[2][i] - d[0][i], d3 = d[3][i] - d[0][i];
+    for (int j = 0; j < 3; ++j) H[i][j] = d1 * G[0][j] + d2 * G[1][j] + d3 * G[2][j];
+  }
+  find_stress(S, H, e);
   for (int i = 0; i < 3; ++i) {
     for (int a = 0; a < 3; ++a) {
       f[a + 1][i] = S[i][0] * G[a][0] + S[i][1] * G[a][1] + S[i][2] * G[a][2];
     }
     f[0][i] = -(f[1][i] + f[2][i] + f[3][i]);
   }
-  for (int a = 0; a < 4; ++a) {
-    f[a][3] = Lanes{0, 0, 0, 0};
-    transpose(f[a][0], f[a][1], f[a][2], f[a][3]);
-    for (int lane = 0; lane < 4; ++lane) {
-      double* row = inner + 4 * e.node[a][lane];
-      store(row, load(row) + f[a][lane]);
+  for (int a = 0; a < 4; ++a) add(inner, e.node[a], f[a]);
+}
+
+/// Row of the node that corner k shares with corner j: itself, or the middle of their edge.
+constexpr int node_between(int k, int j) { return k == j ? k : 4 + edge_between(k, j); }
+
+/// V sigma at the corners, and their sum.
+SUNDER_INLINE void find_corner_stresses(Lanes (&S)[4][3][3], Lanes (&sum)[3][3],
+                                        const Lanes (&d)[10][4], const Lanes (&G)[3][3],
+                                        const SecondOrderBlock& e) {
+  Lanes mean[3][3], H[3][3];
+  for (int i = 0; i < 3; ++i) {
+    const Lanes d1 = d[1][i] - d[0][i], d2 = d[2][i] - d[0][i], d3 = d[3][i] - d[0][i];
+    for (int j = 0; j < 3; ++j) mean[i][j] = d1 * G[0][j] + d2 * G[1][j] + d3 * G[2][j];
+  }
+  const Lanes four = spread(4);
+  for (int k = 0; k < 4; ++k) {
+    for (int i = 0; i < 3; ++i) {
+      const Lanes at0 = d[node_between(k, 0)][i];
+      const Lanes d1 = four * (d[node_between(k, 1)][i] - at0);
+      const Lanes d2 = four * (d[node_between(k, 2)][i] - at0);
+      const Lanes d3 = four * (d[node_between(k, 3)][i] - at0);
+      for (int j = 0; j < 3; ++j) {
+        H[i][j] = d1 * G[0][j] + d2 * G[1][j] + d3 * G[2][j] - mean[i][j];
+      }
+    }
+    find_stress(S[k], H, e);
+  }
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) sum[i][j] = S[0][i][j] + S[1][i][j] + (S[2][i][j] + S[3][i][j]);
+  }
+}
+
+SUNDER_INLINE void add_force(double* inner, const double* displacement, const double* rate,
+                             const SecondOrderBlock& e) {
+  Lanes d[10][4], G[3][3], S[4][3][3], sum[3][3];
+  read(d, displacement, rate, e);
+  read_gradients(G, e);
+  find_corner_stresses(S, sum, d, G, e);
+  const Lanes fifth = spread(0.2), quarter = spread(0.25);
+  // t[k][j] = (S + S_k) G_j / 5
+  Lanes t[4][4][3];
+  for (int k = 0; k < 4; ++k) {
+    for (int i = 0; i < 3; ++i) {
+      Lanes M[3];
+      for (int j = 0; j < 3; ++j) M[j] = fifth * (sum[i][j] + S[k][i][j]);
+      for (int a = 0; a < 3; ++a) {
+        t[k][a + 1][i] = M[0] * G[a][0] + M[1] * G[a][1] + M[2] * G[a][2];
+      }
+      t[k][0][i] = -(t[k][1][i] + t[k][2][i] + t[k][3][i]);
+    }
+  }
+  Lanes mean[4][3];  // S G_k / 4
+  for (int i = 0; i < 3; ++i) {
+    for (int a = 0; a < 3; ++a) {
+      mean[a + 1][i] = quarter * (sum[i][0] * G[a][0] + sum[i][1] * G[a][1] + sum[i][2] * G[a][2]);
+    }
+    mean[0][i] = -(mean[1][i] + mean[2][i] + mean[3][i]);
+  }
+  Lanes f[4];
+  for (int k = 0; k < 4; ++k) {
+    for (int i = 0; i < 3; ++i) f[i] = t[k][k][i] - mean[k][i];
+    add(inner, e.node[k], f);
+    for (int j = 0; j < k; ++j) {
+      for (int i = 0; i < 3; ++i) f[i] = t[j][k][i] + t[k][j][i];
+      add(inner, e.node[node_between(k, j)], f);
     }
   }
 }
@@ -96,37 +181,20 @@ double coupling_of_nodes(const ShapeGradient& gradient, double volume, const Lam
 
 }  // namespace
 
-void set_element(ElementBlock& block, std::size_t lane, const ShapeGradient& gradient,
-                 const Lame& scaled, const std::array<std::uint32_t, 4>& node) {
-  for (int a = 0; a < 3; ++a) {
-    for (int j = 0; j < 3; ++j) block.gradient[3 * a + j][lane] = gradient(j, a + 1);
-  }
-  block.lambda[lane] = scaled.lambda;
-  block.mu[lane] = scaled.mu;
-  block.viscosity[lane] = 0;
-  for (std::size_t a = 0; a < 4; ++a) block.node[a][lane] = node[a];
-}
-
-SUNDER_LANES void add_block_forces(const NodeMotion& nodes, std::span<const ElementBlock> blocks) {
+SUNDER_LANES void add_block_forces(const NodeMotion& nodes,
+                                   std::span<const FirstOrderBlock> blocks) {
   const double* displacement = nodes.displacement.data();
   const double* rate = nodes.rate.data();
   double* inner = nodes.inner.data();
-  for (const ElementBlock& block : blocks) add_force(inner, displacement, rate, block);
+  for (const FirstOrderBlock& block : blocks) add_force(inner, displacement, rate, block);
 }
 
-void add_second_order_forces(const NodeMotion& nodes,
-                             std::span<const SecondOrderElement> elements) {
-  for (const SecondOrderElement& e : elements) {
-    NodeVectors d;
-    for (std::size_t a = 0; a < e.node.size(); ++a) {
-      d[a] = row_of(nodes.displacement, e.node[a]) + e.viscosity * row_of(nodes.rate, e.node[a]);
-    }
-    std::array<Mat3, 4> stress = corner_gradients(e.gradient, d);
-    for (Mat3& at : stress) at = stress_of(at, e.lame);
-    for (std::size_t a = 0; a < e.node.size(); ++a) {
-      row_of(nodes.inner, e.node[a]) += second_order_force(e.gradient, e.volume, stress, a);
-    }
-  }
+SUNDER_LANES void add_block_forces(const NodeMotion& nodes,
+                                   std::span<const SecondOrderBlock> blocks) {
+  const double* displacement = nodes.displacement.data();
+  const double* rate = nodes.rate.data();
+  double* inner = nodes.inner.data();
+  for (const SecondOrderBlock& block : blocks) add_force(inner, displacement, rate, block);
 }
 
 std::array<double, 10> stiffness_of_nodes(const ShapeGradient& gradient, double volume,

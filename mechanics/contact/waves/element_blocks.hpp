@@ -21,26 +21,29 @@ inline Eigen::Map<const Vec3> row_of(const QuadColumn& column, std::size_t row) 
   return Eigen::Map<const Vec3>(&column[4 * row]);
 }
 
-/// Four tetrahedra of first order. Places that are left over have moduli of zero.
+/// Four tetrahedra of `nodes` nodes. Places that are left over have moduli of zero.
+template <std::size_t nodes>
 struct alignas(64) ElementBlock {
-  double gradient[9][4];     ///< 1/m: of the shape functions of corners 1 to 3, by corner and axis
-  double lambda[4], mu[4];   ///< N m: Lame's constants times the rest volume
-  double viscosity[4];       ///< s: factor of the stiffness
-  std::uint32_t node[4][4];  ///< by corner
+  double gradient[9][4];         ///< 1/m: of the coordinates of corners 1 to 3, by corner and axis
+  double lambda[4], mu[4];       ///< N m: Lame's constants times the rest volume
+  double viscosity[4];           ///< s: factor of the stiffness
+  std::uint32_t node[nodes][4];  ///< corners, then middles of edges (`edge_ends`)
 };
-
-/// A tetrahedron of second order.
-struct SecondOrderElement {
-  ShapeGradient gradient;  ///< 1/m
-  double volume = 0;       ///< m^3
-  double viscosity = 0;    ///< s: factor of the stiffness
-  Lame lame;
-  std::array<std::uint32_t, 10> node;
-};
+using FirstOrderBlock = ElementBlock<4>;
+using SecondOrderBlock = ElementBlock<10>;
 
 /// Sets one of the four places of a block, without viscosity.
-void set_element(ElementBlock& block, std::size_t lane, const ShapeGradient& gradient,
-                 const Lame& scaled, const std::array<std::uint32_t, 4>& node);
+template <std::size_t nodes>
+void set_element(ElementBlock<nodes>& block, std::size_t lane, const ShapeGradient& gradient,
+                 const Lame& scaled, const std::array<std::uint32_t, nodes>& node) {
+  for (int a = 0; a < 3; ++a) {
+    for (int j = 0; j < 3; ++j) block.gradient[3 * a + j][lane] = gradient(j, a + 1);
+  }
+  block.lambda[lane] = scaled.lambda;
+  block.mu[lane] = scaled.mu;
+  block.viscosity[lane] = 0;
+  for (std::size_t a = 0; a < nodes; ++a) block.node[a][lane] = node[a];
+}
 
 /// Where elements read displacements (m) and their rates (m/s), and add forces (N): columns of
 /// nodes in the body's frame.
@@ -53,10 +56,13 @@ struct NodeMotion {
 /// Adds the forces K_e (u + b w) of elements with viscosity b to `inner`: d = u + b w,
 /// H = sum_a (d_a - d_0) G_a^T, V sigma = V lambda tr(H) I + V mu (H + H^T), f_a = V sigma G_a.
 /// The same bytes on any processor.
-void add_block_forces(const NodeMotion& nodes, std::span<const ElementBlock> blocks);
+void add_block_forces(const NodeMotion& nodes, std::span<const FirstOrderBlock> blocks);
 
-/// The same for elements of second order.
-void add_second_order_forces(const NodeMotion& nodes, std::span<const SecondOrderElement> elements);
+/// The same for elements of second order, with d at the corners k and the middles of edges jk:
+/// H_k = 4 (d_k G_k^T + sum_j d_jk G_j^T) - sum_j d_j G_j^T is the gradient at corner k, and with
+/// S_k = V sigma(H_k) and their sum S: f_k = (S_k / 5 - S / 20) G_k,
+/// f_jk = (S + S_j) G_k / 5 + (S + S_k) G_j / 5.
+void add_block_forces(const NodeMotion& nodes, std::span<const SecondOrderBlock> blocks);
 
 /// c of an element: x^T K_e x <= c sum_a k_a |x_a|^2 for all x, with k_a the largest eigenvalue of
 /// the diagonal block of node a. Then (2 / h)^2 >= sum_e c k_a / m_a at every node bounds the

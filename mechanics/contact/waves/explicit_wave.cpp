@@ -192,13 +192,11 @@ int run_steps(WaveScratch& wave, ContactStep& step, StepCount count) {
 }
 
 /// The part was so many of its sub-steps long.
-void shorten(WaveScratch& wave, ContactStep& step, std::uint32_t taken) {
+void shorten(ContactStep& step, std::uint32_t taken) {
   const std::uint32_t all = step.pass.input.part.sub_steps;
   step.sub_steps = taken;
   if (taken == all) return;
-  const double planned = step.h();
-  step.integrator.time_step = planned * taken / all;
-  wave.since_search -= planned - step.h();
+  step.integrator.time_step *= static_cast<double>(taken) / all;
 }
 
 /// Rows of a body, and its frame.
@@ -267,7 +265,6 @@ void write_obstacle(const WaveRigid& body, ContactStep& step) {
 /// Results of contacts, and contacts as the next part may take them on.
 void write_contacts(WaveScratch& wave, ContactStep& step) {
   wave.kept = step.contacts;
-  wave.vertices_of_kept = step.pass.state.vertices.size();
   for (std::size_t k = 0; k < step.contacts.size(); ++k) {
     const LumpedRow& row = wave.contacts.rows[k];
     ContactPoint& contact = step.contacts[k];
@@ -330,7 +327,8 @@ void take_explicit_part(ContactStep& step) {
   make_rows(wave, step, count);
   take_ties(wave, step, count);
   const int taken = run_steps(wave, step, {count, in_sub_step});
-  shorten(wave, step, static_cast<std::uint32_t>(taken / in_sub_step));
+  shorten(step, static_cast<std::uint32_t>(taken / in_sub_step));
+  wave.search.clock += step.h();
   for (std::size_t b = 0; b < wave.bodies.bodies.size(); ++b) {
     give_twist(wave, b);
     write_body(wave, step, b);

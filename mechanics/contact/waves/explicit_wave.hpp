@@ -8,25 +8,35 @@
 
 namespace sunder {
 
+/// Searches for contacts: what was searched, and where it is expected. Times count from the last
+/// search of everything, when a part asked for one (`StepPart::contacts_for`).
+struct WaveSearch {
+  double lasts = 0;  ///< s: contacts are found up to then
+  double clock = 0;  ///< s: now
+  /// m and m/s, row = vertex: at time 0 on the straight way of its body's last search, and how fast
+  /// along it.
+  std::vector<Vec3> position, velocity;
+  std::vector<std::array<Vec3, 2>> obstacle;  ///< the same of free obstacles; row = obstacle
+  std::vector<Scope> scope;                   ///< row = component: in the part at hand
+  bool any = false;                           ///< whether any is inside
+};
+
 /// Scratch of explicit steps, kept from part to part. May be thrown away between two steps.
 struct WaveScratch {
   WaveBodies bodies;
   LumpedContacts contacts;
   LumpedBonds bonds;
   std::vector<std::uint32_t> rigid_of_component, rigid_of_obstacle;
-  std::vector<ContactPoint> kept;    ///< the contacts of the last part, with gaps as it ended
-  std::size_t vertices_of_kept = 0;  ///< how many vertices there were then
-  /// The last search for contacts: where vertices were (m), how they moved (m/s), how long its
-  /// contacts are to last, and how long ago it was (s).
-  std::vector<Vec3> searched_position, searched_velocity;
-  double searched_for = 0, since_search = 0;
+  std::vector<ContactPoint> kept;  ///< the contacts of the last part, with gaps as it ended
+  WaveSearch search;
   /// Element stresses as the part began, kept while the part can end early (`StepInput::ends`).
   std::vector<Mat3> stress;
   std::vector<std::array<Mat3, 4>> corner_stress;
 };
 
-/// The contacts of the part, into `step.contacts`: along the ways that everything would go in
-/// `StepPart::contacts_for`, or those of the part before with the crack faces as they are now.
+/// The contacts of the part, into `step.contacts`. With `StepPart::contacts_for`: along the ways
+/// that everything would go in that time. Else those of the part before, but for bodies that have
+/// strayed from those ways, which are searched again.
 void gather_contacts(ContactStep& step);
 
 /// Gathers rigid pieces and free obstacles into `wave.contacts.rigid`.
@@ -40,8 +50,7 @@ void make_rows(WaveScratch& wave, const ContactStep& step, double count);
 void take_ties(WaveScratch& wave, ContactStep& step, double count);
 
 /// Takes the part at hand (`Deformation::wave`) in explicit steps, into `predicted`:
-/// - contacts along the ways that everything would go in `StepPart::contacts_for`, or those of the
-///   part before with the crack faces as they are now;
+/// - contacts (`gather_contacts`);
 /// - central differences (velocity Verlet): half a kick, then drifts with kicks between them, half
 ///   a kick; impulses of contacts between each kick and drift;
 /// - frames, displacements and rates from where the nodes end (`fit_motion`).

@@ -46,14 +46,33 @@ void note_viscosity(WaveBodies& waves, const ElementNodes& own, TetId t, double 
   waves.nodes.scaled[waves.nodes.cluster[node]].viscosity.push_back(viscosity);
 }
 
-/// Elements of a body, those of first order by fours.
+/// Puts an element into the next free place of the last block, or of a new one.
+template <std::size_t count>
+void add_element(BlockColumn<count>& blocks, std::size_t place, const WaveBodies& waves,
+                 const ElementNodes& own, const ShapeGradient& gradient, const Lame& scaled,
+                 double viscosity) {
+  std::array<std::uint32_t, count> node;
+  for (std::size_t a = 0; a < count; ++a) node[a] = waves.node_of_vertex[own.row[a].index()];
+  const std::size_t lane = place % 4;
+  if (lane == 0) {
+    blocks.emplace_back();
+    // Places that stay empty have no stiffness: their nodes get no force.
+    for (std::size_t k = 0; k < 4; ++k) {
+      set_element(blocks.back(), k, ShapeGradient::Zero(), Lame{0, 0}, node);
+    }
+  }
+  set_element(blocks.back(), lane, gradient, scaled, node);
+  blocks.back().viscosity[lane] = viscosity;
+}
+
+/// Elements of a body, by fours.
 void add_elements(WaveBodies& waves, const MechanicsState& state, const StepInput& input,
                   WaveBody& body, const std::vector<char>& is_scaled) {
   const Component& component = state.components[body.id.index()];
   const double of_fronts = input.part.viscosity * component.cell_travel;
   body.first_block = waves.blocks.size();
   body.first_second = waves.second.size();
-  std::size_t lane = 4;
+  std::size_t place = 0;
   for (const TetId t : component.tetrahedra) {
     const ElementNodes own = nodes_of(state.elements, input.corners, t);
     const double viscosity = viscosity_of(waves, input, own, of_fronts);
@@ -61,30 +80,12 @@ void add_elements(WaveBodies& waves, const MechanicsState& state, const StepInpu
     const ShapeGradient& G = state.elements.shape_gradient[t.index()];
     const double volume = state.elements.rest_volume[t.index()];
     const Lame constants = lame(material_of(state, t));
+    const Lame scaled{volume * constants.lambda, volume * constants.mu};
     if (own.count == 10) {
-      SecondOrderElement& element = waves.second.emplace_back();
-      element.gradient = G;
-      element.volume = volume;
-      element.viscosity = viscosity;
-      element.lame = constants;
-      for (std::size_t a = 0; a < own.count; ++a) {
-        element.node[a] = waves.node_of_vertex[own.row[a].index()];
-      }
-      continue;
+      add_element(waves.second, place++, waves, own, G, scaled, viscosity);
+    } else {
+      add_element(waves.blocks, place++, waves, own, G, scaled, viscosity);
     }
-    std::array<std::uint32_t, 4> node;
-    for (std::size_t a = 0; a < 4; ++a) node[a] = waves.node_of_vertex[own.row[a].index()];
-    if (lane == 4) {
-      lane = 0;
-      waves.blocks.emplace_back();
-      // Places that stay empty have no stiffness: their nodes get no force.
-      for (std::size_t k = 0; k < 4; ++k) {
-        set_element(waves.blocks.back(), k, ShapeGradient::Zero(), Lame{0, 0}, node);
-      }
-    }
-    set_element(waves.blocks.back(), lane, G,
-                Lame{volume * constants.lambda, volume * constants.mu}, node);
-    waves.blocks.back().viscosity[lane++] = viscosity;
   }
   body.end_block = waves.blocks.size();
   body.end_second = waves.second.size();
@@ -162,8 +163,11 @@ void read_motion(WaveBodies& waves, WaveBody& body, const MechanicsState& state,
 /// Node `a` of an element of a body, by its place among the body's elements.
 std::uint32_t packed_node(const WaveBodies& waves, const WaveBody& body, std::size_t element,
                           std::size_t a) {
-  if (body.first_second < body.end_second) return waves.second[body.first_second + element].node[a];
-  return waves.blocks[body.first_block + element / 4].node[a][element % 4];
+  const std::size_t block = element / 4, lane = element % 4;
+  if (body.first_second < body.end_second) {
+    return waves.second[body.first_second + block].node[a][lane];
+  }
+  return waves.blocks[body.first_block + block].node[a][lane];
 }
 
 /// Whether a body consists of the same nodes and elements as when it was packed.

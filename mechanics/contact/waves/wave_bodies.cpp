@@ -212,7 +212,7 @@ void find_forces(WaveBodies& waves, WaveBody& body) {
   set_motion(nodes, first, end, turned(R.transpose(), body.frame.centre));
   const NodeMotion motion{nodes.displacement, nodes.rate, nodes.inner};
   add_block_forces(motion, rows_of(waves.blocks, body.first_block, body.end_block));
-  add_second_order_forces(motion, rows_of(waves.second, body.first_second, body.end_second));
+  add_block_forces(motion, rows_of(waves.second, body.first_second, body.end_second));
   add_mass_damping(nodes, body);
   Mat3 Q = Mat3::Zero();
   if (!body.supported) Q = R * cross_matrix(torque_share(body, nodes, frame));

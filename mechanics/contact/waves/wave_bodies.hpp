@@ -44,7 +44,7 @@ struct HeldNode {
   Vec3 velocity = Vec3::Zero();  ///< m/s, world
 };
 
-/// One body: consecutive rows of nodes, cells, blocks, elements of second order and held nodes.
+/// One body: consecutive rows of nodes, cells, blocks of either order and held nodes.
 struct WaveBody {
   ComponentId id;
   std::size_t first_node = 0, end_node = 0;
@@ -68,14 +68,17 @@ struct WaveBody {
   WaveWork work;
 };
 
+template <std::size_t nodes>
+using BlockColumn = std::vector<ElementBlock<nodes>, CacheLineAllocator<ElementBlock<nodes>>>;
+
 /// All bodies of a part of a step.
 struct WaveBodies {
   static constexpr std::uint32_t no_node = std::numeric_limits<std::uint32_t>::max();
   WaveNodes nodes;
   std::vector<WaveBody> bodies;
   std::vector<TetId> cells;
-  std::vector<ElementBlock, CacheLineAllocator<ElementBlock>> blocks;
-  std::vector<SecondOrderElement> second;
+  BlockColumn<4> blocks;
+  BlockColumn<10> second;
   std::vector<HeldNode> held;
   std::vector<std::uint32_t> node_of_vertex;     ///< row = VertexId
   std::vector<std::uint32_t> body_of_component;  ///< row = ComponentId; `no_node`: moves rigidly

@@ -50,11 +50,11 @@ void find_swept_edges(DetectScratch& scratch, const StepPaths& paths, double mar
   pairs.body.clear();
   pairs.ways.clear();
   std::vector<std::uint32_t> rows;
-  pairs.moves.assign(paths.state.components.size(), 1);
+  mark_inside(pairs.moves, paths);
   for (std::uint32_t row = 0; row < scratch.surface.edges.size(); ++row) {
     const SurfaceEdge& edge = scratch.surface.edges[row];
     const ComponentId id = paths.state.vertices.component[edge.end[0].index()];
-    if (!is_sharp(paths, edge) || !paths.members.has(id)) continue;
+    if (!paths.is_searched(id) || !is_sharp(paths, edge)) continue;
     const Vec3 &p = paths.at_start(edge.end[0]), &q = paths.at_start(edge.end[1]);
     const Vec3 way_of_p = paths.at_end(edge.end[0]) - p, way_of_q = paths.at_end(edge.end[1]) - q;
     const Vec3 way = 0.5 * (way_of_p + way_of_q), turned = way_of_p - way;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "mechanics/contact/detection/pairs/solid_pairs.hpp"
 #include "topology/base/sort_unique.hpp"
 
 namespace sunder {
@@ -32,17 +33,23 @@ void measure_balls(DetectScratch& scratch, const StepPaths& paths, double share)
 
 namespace {
 
-/// Pairs of vertices and tetrahedra on long ways: by the boxes of tetrahedra and corners.
+/// `DetectScratch::beside_share` of boxes on ways.
+constexpr double beside_on_ways = 0.1;
+
+/// Pairs of vertices and tetrahedra by the boxes of tetrahedra and corners on their ways.
 void pair_up_by_boxes(DetectScratch& scratch, const StepPaths& paths) {
   SolidPairs& pairs = scratch.solid_pairs;
   pairs.boxes.clear();
   pairs.body.clear();
   pairs.ways.clear();
+  pairs.tetrahedra.clear();
   const MechanicsState& state = paths.state;
-  const std::size_t components = state.components.size(), count = paths.corners.size();
-  pairs.moves.assign(components + paths.obstacles.size(), 0);
-  for (std::size_t c = 0; c < components; ++c) pairs.moves[c] = paths.members.has(ComponentId{c});
-  for (std::size_t t = 0; t < count; ++t) {
+  const std::size_t components = state.components.size();
+  mark_inside(pairs.moves, paths);
+  pairs.moves.resize(components + paths.obstacles.size(), 0);
+  for (std::size_t t = 0; t < paths.corners.size(); ++t) {
+    const ComponentId id = state.elements.component[t];
+    if (!paths.is_searched(id)) continue;
     const Vec3 way = centre_of(paths.corners[t], paths.predicted) - scratch.centre_start[t];
     Bounds box{paths.at_start(paths.corners[t][0]), paths.at_start(paths.corners[t][0])};
     for (const VertexId v : paths.corners[t]) {
@@ -52,10 +59,12 @@ void pair_up_by_boxes(DetectScratch& scratch, const StepPaths& paths) {
     }
     // Vertices count as near within rounding and the penetration that is left alone.
     const Vec3 beside = Vec3::Constant(scratch.beside_share * scratch.radius[t]);
+    pairs.tetrahedra.emplace_back(t);
     pairs.boxes.push_back({box.low - beside, box.high + beside});
     pairs.ways.push_back(way);
-    pairs.body.push_back(state.elements.component[t].value);
+    pairs.body.push_back(id.value);
   }
+  const std::size_t count = pairs.tetrahedra.size();
   for (const CornerPath& corner : paths.corner) {
     pairs.boxes.push_back({corner.start, corner.start});
     pairs.ways.push_back(corner.end - corner.start);
@@ -63,11 +72,14 @@ void pair_up_by_boxes(DetectScratch& scratch, const StepPaths& paths) {
   }
   find_box_pairs(pairs.found, pairs.grid, {pairs.boxes, pairs.body, pairs.moves, pairs.ways});
   scratch.pairs.clear();
-  const auto add_if_met = [&](std::size_t t, VertexId v) {
-    const Vec3 way = paths.at_end(v) - paths.at_start(v) - pairs.ways[t];
-    if (meet({paths.at_start(v), paths.at_start(v)}, pairs.boxes[t], way)) {
-      scratch.pairs.push_back({TetId{t}, v});
+  const auto add_if_met = [&](std::size_t row, VertexId v) {
+    const Vec3 way = paths.at_end(v) - paths.at_start(v) - pairs.ways[row];
+    if (meet({paths.at_start(v), paths.at_start(v)}, pairs.boxes[row], way)) {
+      scratch.pairs.push_back({pairs.tetrahedra[row], v});
     }
+  };
+  const auto corners_of = [&](std::size_t row) -> const Corners& {
+    return paths.corners[pairs.tetrahedra[row].index()];
   };
   for (const auto& [a, b] : pairs.found) {
     if (a >= count) continue;
@@ -75,8 +87,8 @@ void pair_up_by_boxes(DetectScratch& scratch, const StepPaths& paths) {
       add_if_met(a, VertexId{paths.predicted.size() + b - count});
       continue;
     }
-    for (const VertexId v : paths.corners[a]) add_if_met(b, v);
-    for (const VertexId v : paths.corners[b]) add_if_met(a, v);
+    for (const VertexId v : corners_of(a)) add_if_met(b, v);
+    for (const VertexId v : corners_of(b)) add_if_met(a, v);
   }
   sort_unique(scratch.pairs);
 }
@@ -87,6 +99,10 @@ void pair_up_by_boxes(DetectScratch& scratch, const StepPaths& paths) {
 /// and half their relative motion. Where that is more than two radii, boxes on their ways are
 /// smaller.
 void pair_up(DetectScratch& scratch, const StepPaths& paths) {
+  if (!paths.scope.empty()) {
+    scratch.beside_share = beside_on_ways;
+    return pair_up_by_boxes(scratch, paths);
+  }
   const std::vector<Vec3>& start = paths.state.vertices.position;
   const std::size_t points = start.size(), all = points + paths.corner.size();
   Vec3 mean = Vec3::Zero();
@@ -122,7 +138,7 @@ void pair_up(DetectScratch& scratch, const StepPaths& paths) {
     scratch.reach[t] = is_member ? scratch.radius[t] + 0.5 * motion : 0;
     if (is_member && !(motion < 2 * scratch.radius[t])) is_fast = true;
   }
-  scratch.beside_share = is_fast ? 0.1 : std::numeric_limits<double>::infinity();
+  scratch.beside_share = is_fast ? beside_on_ways : std::numeric_limits<double>::infinity();
   if (is_fast) return pair_up_by_boxes(scratch, paths);
   find_sphere_pairs(scratch.pairs, scratch.grid, scratch.cache,
                     {scratch.point_middle, component, scratch.centre_middle, scratch.reach,

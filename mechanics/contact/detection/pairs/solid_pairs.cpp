@@ -60,7 +60,7 @@ void box_tetrahedra(DetectScratch& scratch, const StepPaths& paths, bool of_all,
   for (const HalfFaceId face : scratch.surface.faces) {
     const TetId t = tetrahedron_of(face);
     const ComponentId id = paths.state.elements.component[t.index()];
-    if (!of_all && !paths.members.has(id)) continue;
+    if (!of_all && !paths.is_searched(id)) continue;
     if (!pairs.tetrahedra.empty() && pairs.tetrahedra.back() == t) continue;
     const auto [box, way] = box_of(t, id);
     pairs.tetrahedra.push_back(t);
@@ -71,11 +71,18 @@ void box_tetrahedra(DetectScratch& scratch, const StepPaths& paths, bool of_all,
 }
 
 void pair_boxes(SolidPairs& pairs, const StepPaths& paths) {
-  pairs.moves.assign(paths.state.components.size(), 1);
+  mark_inside(pairs.moves, paths);
   find_box_pairs(pairs.found, pairs.grid, {pairs.boxes, pairs.body, pairs.moves, pairs.ways});
 }
 
 }  // namespace
+
+void mark_inside(std::vector<char>& moves, const StepPaths& paths) {
+  moves.resize(paths.state.components.size());
+  for (std::size_t c = 0; c < moves.size(); ++c) {
+    moves[c] = paths.is_inside(ComponentId{c});
+  }
+}
 
 double sagitta(double angle, double arm) { return std::min(0.125 * angle * angle, 2.0) * arm; }
 
@@ -180,8 +187,8 @@ NearQuery near_query(const DetectScratch& scratch) {
   return {scratch.travel, scratch.shape, margin * scratch.mean_edge};
 }
 
-bool keeps_pairs(const DetectScratch& scratch) {
-  return scratch.travel.farthest <= near_query(scratch).margin;
+bool keeps_pairs(const DetectScratch& scratch, const StepPaths& paths) {
+  return paths.scope.empty() && scratch.travel.farthest <= near_query(scratch).margin;
 }
 
 void refresh_solids(DetectScratch& scratch, const StepPaths& paths) {

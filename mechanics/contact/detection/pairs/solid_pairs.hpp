@@ -24,6 +24,9 @@ Bounds bounds_of(const Places& x);
 /// A bit for each face of a tetrahedron that is on the surface.
 std::uint32_t outer_faces(const StepPaths& paths, TetId t);
 
+/// Row = component: whether all its pairs are looked for (`BoxQuery::moves`).
+void mark_inside(std::vector<char>& moves, const StepPaths& paths);
+
 /// m: the largest distance of an arc of an angle (rad) from its chord, on a circle of radius `arm`.
 double sagitta(double angle, double arm);
 
@@ -34,8 +37,8 @@ Vec3 turn_between(const Eigen::Quaterniond& from, const Eigen::Quaterniond& to);
 /// `scratch.solid_pairs`. Needs: `scratch.surface`, `measure_balls`.
 void pair_on_ways(DetectScratch& scratch, const StepPaths& paths);
 
-/// Whether vertices go so little in the step that pairs are kept for the next ones.
-bool keeps_pairs(const DetectScratch& scratch);
+/// Whether pairs are kept for the next steps: vertices go little, and everything is searched.
+bool keeps_pairs(const DetectScratch& scratch, const StepPaths& paths);
 
 /// Ways, shapes and margin for kept pairs. Needs: `update_near`.
 NearQuery near_query(const DetectScratch& scratch);

@@ -181,7 +181,7 @@ TEST_CASE("the stable step is that of the whole body's matrices or less", "[mech
       rate[4 * i + static_cast<std::size_t>(axis)] = bound / 2;
       const NodeMotion motion{displacement, rate, inner};
       add_block_forces(motion, packed.waves.blocks);
-      add_second_order_forces(motion, packed.waves.second);
+      add_block_forces(motion, packed.waves.second);
       for (std::size_t k = 0; k < n; ++k) {
         A.block<3, 1>(static_cast<Eigen::Index>(3 * k), static_cast<Eigen::Index>(3 * i) + axis) =
             row_of(inner, k) / std::sqrt(nodes.mass[k] * nodes.mass[i]);
