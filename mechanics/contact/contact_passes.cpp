@@ -12,6 +12,8 @@ namespace sunder {
 double target_gap(const ContactPoint& contact) { return std::min(0.0, contact.gap_start); }
 
 double push_out(const ContactStep& step, const ContactPoint& contact) {
+  // Patches of overlaps hold in explicit steps: pushed, those of wedged pieces work against others.
+  if (step.is_wave() && contact.is_of_overlap()) return 0;
   const double too_deep = -step.settings.allowed_penetration - contact.gap_start;
   return std::clamp(too_deep, 0.0, step.settings.push_out_speed * step.h());
 }

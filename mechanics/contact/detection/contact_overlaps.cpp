@@ -14,6 +14,9 @@
 namespace sunder {
 namespace {
 
+/// Share of an edge: such an overlap is left alone between tetrahedra with crack faces that face
+/// each other.
+constexpr double facing_overlap = 0.01;
 /// m: the overlap that is left alone, by the edge at hand. A first look takes a thousandth of it
 /// and more; later ones take five thousandths and more, since solved contacts bear the rest.
 double least_overlap(const ContactSettings& settings, std::uint8_t pass, double edge) {
@@ -92,8 +95,8 @@ double boxes_apart(const StepPaths& paths, TetId a, TetId b) {
   return (p.low - q.high).cwiseMax(q.low - p.high).maxCoeff();
 }
 
-/// Two tetrahedra, no partners, that may overlap as the step ends, and the axis that decided them
-/// last. Gives how far they are apart at least, m.
+/// Two tetrahedra that may overlap as the step ends, and the axis that decided them last. Gives how
+/// much nearer they may come before they do, m.
 double find_overlap(DetectScratch& scratch, const StepPaths& paths, const ContactSettings& settings,
                     std::uint8_t pass, TetId a, TetId b, PairAxis& axis) {
   const Places x = places_at_end(paths, a), y = places_at_end(paths, b);
@@ -101,12 +104,18 @@ double find_overlap(DetectScratch& scratch, const StepPaths& paths, const Contac
   const Polytope other = make_tetrahedron(y, outer_faces(paths, b));
   const Manifold patch = collide(one, other, {}, axis);
   if (patch.count == 0) return separation_along(one, other, axis);
-  const double least = least_overlap(settings, pass, std::min(mean_edge(x), mean_edge(y)));
+  const double edge = std::min(mean_edge(x), mean_edge(y));
+  double least = least_overlap(settings, pass, edge);
+  // Crack faces hold these apart, as far as they face each other still.
+  const bool are_facing = are_partners(scratch, paths, a, b);
+  if (are_facing) least = std::max(least, facing_overlap * edge);
   const auto count = static_cast<std::size_t>(patch.count);
-  const auto begin = patch.point.begin(), end = begin + patch.count;
-  const bool is_deep = std::any_of(
-      begin, end, [&](const Manifold::Point& point) { return point.separation < -least; });
-  if (!is_deep || begins_inside(paths, a, b)) return 0;
+  double lowest = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    lowest = std::min(lowest, patch.point[k].separation);
+  }
+  if (lowest >= -least) return are_facing ? least + lowest : 0;
+  if (begins_inside(paths, a, b)) return 0;
   for (std::size_t k = 0; k < count; ++k) {
     if (patch.point[k].separation >= 0) continue;
     add(scratch, paths, a, b, patch.normal, patch.point[k], pass, static_cast<std::uint8_t>(k),
@@ -123,7 +132,6 @@ void find_solid_overlaps(DetectScratch& scratch, const StepPaths& paths,
     pair_at_end(scratch, paths);
     for (const auto& [a, b] : scratch.swept) {
       if (boxes_apart(paths, TetId{a}, TetId{b}) > 0) continue;
-      if (are_partners(scratch, paths, TetId{a}, TetId{b})) continue;
       PairAxis axis;
       find_overlap(scratch, paths, settings, pass, TetId{a}, TetId{b}, axis);
     }
@@ -136,12 +144,7 @@ void find_solid_overlaps(DetectScratch& scratch, const StepPaths& paths,
     if (!is_due(pair, travel)) continue;
     if (!paths.may_meet(ComponentId{pair.body_a}, ComponentId{pair.body_b})) continue;
     const TetId a{pair.a}, b{pair.b};
-    pair.facing = 0;
     double apart = boxes_apart(paths, a, b);
-    if (apart <= 0 && are_partners(scratch, paths, a, b)) {
-      pair.facing = 1 + travel.parted[pair.body_a] + travel.parted[pair.body_b];
-      continue;
-    }
     if (apart <= 0) {
       const std::size_t first = scratch.found.size();
       apart = find_overlap(scratch, paths, settings, pass, a, b, pair.axis);

@@ -181,7 +181,7 @@ bool is_found_anew(const ContactStep& step, const ContactPoint& contact) {
   const bool is_on_obstacle = !contact.is_body_a() || !contact.is_body_b();
   if (!contact.face.is_none() || (is_on_obstacle && !contact.vertex.is_none())) return true;
   // Sides that have come out of an overlap may slide beside its patch.
-  if (contact.is_of_overlap()) return true;
+  if (contact.is_of_overlap() && contact.gap_start >= 0) return true;
   bool any = search.any && !contact.is_body_a() && !contact.is_body_b();
   for_each_component(contact, step.pass.state, [&](ComponentId id) {
     any = any || search.scope[id.index()] == Scope::inside;
