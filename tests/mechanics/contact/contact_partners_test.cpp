@@ -7,6 +7,7 @@
 #include <cmath>
 #include <random>
 
+#include "mechanics/contact/detection/contact_overlaps.hpp"
 #include "tests/mechanics/contact/cut_block.hpp"
 
 using namespace sunder;
@@ -92,6 +93,24 @@ Parted bent(double angle) {
 }
 
 }  // namespace
+
+TEST_CASE("tetrahedra with crack faces that face each other overlap by a hundredth of an edge",
+          "[mechanics][contact][partners]") {
+  Parted p = parted(two_tetrahedra(), first_is_upper, true, 0.05);
+  const std::vector<std::array<HalfFaceId, 4>> neighbours(
+      2, {HalfFaceId::none(), HalfFaceId::none(), HalfFaceId::none(), HalfFaceId::none()});
+  const Vec3 normal = normal_between(p);
+  for (const double depth : {0.005, 0.03}) {
+    p.predicted = p.state.vertices.position;
+    p.shift_upper(p.predicted, first_is_upper, -depth * normal);
+    StepPaths paths = p.paths();
+    paths.neighbours = neighbours;
+    update_partners(p.memory, p.scratch, paths);
+    find_contacts(p.scratch, p.memory, paths, {});
+    find_overlaps(p.scratch, paths, {}, 0);
+    CHECK(std::ranges::any_of(p.scratch.found, &ContactPoint::is_of_overlap) == (depth > 0.01));
+  }
+}
 
 TEST_CASE("partners meet with a gap of exactly 0 as they are born, wherever the body is",
           "[mechanics][contact][partners]") {

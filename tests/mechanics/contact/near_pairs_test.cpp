@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 #include <tuple>
 
+#include "mechanics/contact/contact_step.hpp"
 #include "mechanics/contact/detection/contact_overlaps.hpp"
 #include "mechanics/contact/detection/contact_partners.hpp"
 #include "tests/mechanics/contact/contact_scene.hpp"
@@ -98,6 +99,48 @@ TEST_CASE("pairs that are kept give the contacts that a search in each step give
   CHECK(kept.near_edges.searches > 1);
   CHECK(kept.near_edges.searches < steps / 2);
   CHECK(kept.near_solids.searches < steps / 2);
+}
+
+TEST_CASE("a search for some bodies finds all their contacts, and no others",
+          "[mechanics][contact]") {
+  std::mt19937 random(8);
+  Crowd crowd(random);
+  ContactSettings settings;
+  settings.allowed_penetration = 1e-3;
+  constexpr double h = 0.02;
+  const auto search = [&](const std::vector<Scope>& scope, const std::vector<Scope>& inside) {
+    StepPaths paths = crowd.paths(h);
+    paths.scope = scope;
+    DetectScratch scratch;
+    update_partners(crowd.memory, scratch, paths);
+    find_contacts(scratch, crowd.memory, paths, settings);
+    find_overlaps(scratch, paths, settings, 0);
+    std::vector<std::pair<ContactKey, double>> found;
+    for (std::size_t k = 0; k < scratch.found.size(); ++k) {
+      bool counts = false;
+      for_each_component(scratch.found[k], crowd.state, [&](ComponentId id) {
+        counts = counts || inside[id.index()] == Scope::inside;
+      });
+      if (counts) found.emplace_back(key_of(scratch.found[k]), scratch.found_gap[k]);
+    }
+    CHECK((&scope != &inside || found.size() == scratch.found.size()));
+    return found;
+  };
+  const std::size_t bodies = crowd.state.components.size();
+  const std::vector<Scope> everything(bodies, Scope::inside);
+  std::size_t contacts = 0;
+  for (int k = 0; k < 30; ++k) {
+    crowd.predict(h, false);
+    std::vector<Scope> scope(bodies, Scope::beside);
+    for (Scope& one : scope) one = random() % 3 == 0 ? Scope::inside : Scope::beside;
+    const auto found = search(scope, scope);
+    CHECK(found == search(everything, scope));
+    contacts += found.size();
+    scope[static_cast<std::size_t>(k) % bodies] = Scope::outside;
+    CHECK(search(scope, scope).size() <= found.size());
+    crowd.predict(h, true);
+  }
+  CHECK(contacts > 100);
 }
 
 TEST_CASE("ways are measured against the affine field of all", "[mechanics][contact]") {
