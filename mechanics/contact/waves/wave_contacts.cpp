@@ -10,6 +10,7 @@
 #include <map>
 
 #include "mechanics/contact/detection/contact_partners.hpp"
+#include "mechanics/contact/shapes/nearest_point.hpp"
 #include "mechanics/contact/shapes/obstacle_geometry.hpp"
 #include "mechanics/state/living.hpp"
 #include "mechanics/state/wave_travel.hpp"
@@ -54,6 +55,29 @@ LumpedSide side_of_obstacle(const WaveScratch& wave, const ContactStep& step, st
   return side;
 }
 
+std::array<Vec3, 4> corners_at(const ContactPass& pass, TetId t) {
+  std::array<Vec3, 4> x;
+  for (std::size_t i = 0; i < 4; ++i) {
+    x[i] = pass.state.vertices.position[pass.input.corners[t.index()][i].index()];
+  }
+  return x;
+}
+
+/// The nodes of side B, a tetrahedron, and their shares. Of an overlap: those of the point of the
+/// tetrahedron where side A is. Impulses on two places would need a moment, which does work.
+TouchedNodes nodes_of_b(const ContactPass& pass, const ContactPoint& c, const Vec3& place) {
+  const std::span<const Corners> corners = pass.input.corners;
+  if (!c.is_of_overlap() || is_second_order(pass.state.elements, c.tetrahedron)) {
+    return touched_nodes(c, pass.state, corners);
+  }
+  constexpr double farthest = 2;
+  ContactPoint under = c;
+  under.weights = barycentric(corners_at(pass, c.tetrahedron), place);
+  const bool is_near =
+      std::ranges::all_of(under.weights, [](double w) { return std::abs(w) < farthest; });
+  return touched_nodes(is_near ? under : c, pass.state, corners);
+}
+
 LumpedRow row_of(WaveScratch& wave, const ContactStep& step, const ContactPoint& c, double count) {
   const ContactPass& pass = step.pass;
   const std::span<const Corners> corners = pass.input.corners;
@@ -63,12 +87,13 @@ LumpedRow row_of(WaveScratch& wave, const ContactStep& step, const ContactPoint&
                                                    nodes_of_a(c, corners), place)
                                : side_of_obstacle(wave, step, c.ball, place);
   row.sides[1] = c.is_body_b() ? side_of_component(wave, component_of_b(c, pass.state),
-                                                   touched_nodes(c, pass.state, corners), place)
+                                                   nodes_of_b(pass, c, place), place)
                                : side_of_obstacle(wave, step, c.obstacle, place);
   row.normal = c.normal;
   row.gap_start = c.gap_start - target_gap(c);
   row.push = push_out(step, c) / step.h();
-  row.friction = c.friction;
+  // Overlaps hold along their normals: the faces that touch have the friction.
+  row.friction = c.is_of_overlap() ? 0 : c.friction;
   row.give = step.settings.compliance;
   for (const LumpedSide& side : row.sides) {
     const auto [along, across] = response_of(side, wave.contacts, wave.bodies.nodes, c.normal);
