@@ -23,6 +23,8 @@ constexpr double of_heap = 30e-6, of_rest = 4e-6;
 /// s per tetrahedron of a sub-step after a breaking blow, for a body of 3000; it grows with this
 /// power of the number.
 constexpr double of_sub_step = 4.4e-7, growth = 0.15;
+/// s per tetrahedron of second order, more than that.
+constexpr double of_second_order = 1e-6;
 /// Blows that break most bodies have this stress rho c v over the strength.
 constexpr double breaks_most = 1.3;
 /// Wave travels through a held body until it is quiet after a blow. The pieces of free bodies go on
@@ -257,10 +259,10 @@ class Forecast {
       const BodySettings& settings = scene_.bodies[b];
       const auto size = static_cast<double>(settings.mesh.tetrahedra.size());
       if (breaking) {
-        // Contact, for which the order counts little, and the solve where its order makes it dear.
+        // Contact, for which the order counts little, and forces where their order makes them dear.
         const double contact = of_sub_step * size * exponential(growth * logarithm(size / 3000));
-        const double solve = settings.order == 2 ? 1e-3 * flight_ms(scene_, settings) : 0;
-        seconds += (contact + solve) / sub_step();
+        const double forces = settings.order == 2 ? of_second_order * size : 0;
+        seconds += (contact + forces) / sub_step();
       } else if (t < body.touched + time_to_sleep()) {
         seconds += (t < body.piled ? of_rest : of_heap) * size * cost_of_order(settings) * steps;
       }
