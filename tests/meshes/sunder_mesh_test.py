@@ -90,8 +90,9 @@ class SunderMesh(unittest.TestCase):
         self.refused("non_manifold_surface", self.surface(fin + "3 0 1 4\n"))
 
     def test_a_file_that_cannot_be_written_exits_with_4(self):
-        done = self.run_it("--box", "1,1,1", "--facet-size", "0.5", "-o",
-                           self.folder / "no such folder" / "out.msh")
+        file = self.folder / "a file"
+        file.write_text("")
+        done = self.run_it("--box", "1,1,1", "--facet-size", "0.5", "-o", file / "out.msh")
         self.assertEqual(done.returncode, 4, done.stderr)
         self.assertIn("[cannot_write]", done.stderr)
 
