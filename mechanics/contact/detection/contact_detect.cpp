@@ -246,7 +246,7 @@ void find_contacts(DetectScratch& scratch, const ContactMemory& memory, const St
   measure_balls(scratch, paths, 1);
   update_surface(scratch.surface, paths.state.elements, paths.corners, paths.neighbours,
                  paths.state.vertices.size());
-  if (paths.scope.empty()) update_near(scratch, paths);
+  update_near(scratch, paths);
   if (among_pieces || !with_corners.corner.empty()) {
     find_between_pieces(scratch, with_corners, settings, among_pieces);
   }

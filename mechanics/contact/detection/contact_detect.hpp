@@ -67,11 +67,11 @@ struct DetectScratch {
   std::vector<std::uint32_t> order, taken;
 };
 
-/// Part of a component in a search for contacts of some components.
+/// Which contacts of a component a search looks for.
 enum class Scope : std::uint8_t {
   outside,  ///< none
-  beside,   ///< its contacts with those inside
-  inside,   ///< all its contacts
+  near,     ///< those with components inside
+  inside,   ///< all
 };
 
 /// The input of detection. Corners of obstacles are numbered after the vertices of bodies.

@@ -127,7 +127,7 @@ double find_overlap(DetectScratch& scratch, const StepPaths& paths, const Contac
 /// Overlaps of pieces as the step ends.
 void find_solid_overlaps(DetectScratch& scratch, const StepPaths& paths,
                          const ContactSettings& settings, std::uint8_t pass) {
-  if (paths.scope.empty()) update_near(scratch, paths);
+  update_near(scratch, paths);
   if (!keeps_pairs(scratch, paths)) {
     pair_at_end(scratch, paths);
     for (const auto& [a, b] : scratch.swept) {

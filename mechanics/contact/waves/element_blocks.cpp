@@ -150,6 +150,14 @@ SUNDER_INLINE void add_force(double* inner, const double* displacement, const do
   }
 }
 
+template <class Block>
+SUNDER_INLINE void add_forces(const NodeMotion& nodes, std::span<const Block> blocks) {
+  const double* displacement = nodes.displacement.data();
+  const double* rate = nodes.rate.data();
+  double* inner = nodes.inner.data();
+  for (const Block& block : blocks) add_force(inner, displacement, rate, block);
+}
+
 /// Of first order: the eigenvalue is that of strains, 6 x 6.
 double coupling_of_strains(const ShapeGradient& G, const Lame& lame) {
   using Matrix6 = Eigen::Matrix<double, 6, 6>;
@@ -183,18 +191,12 @@ double coupling_of_nodes(const ShapeGradient& gradient, double volume, const Lam
 
 SUNDER_LANES void add_block_forces(const NodeMotion& nodes,
                                    std::span<const FirstOrderBlock> blocks) {
-  const double* displacement = nodes.displacement.data();
-  const double* rate = nodes.rate.data();
-  double* inner = nodes.inner.data();
-  for (const FirstOrderBlock& block : blocks) add_force(inner, displacement, rate, block);
+  add_forces(nodes, blocks);
 }
 
 SUNDER_LANES void add_block_forces(const NodeMotion& nodes,
                                    std::span<const SecondOrderBlock> blocks) {
-  const double* displacement = nodes.displacement.data();
-  const double* rate = nodes.rate.data();
-  double* inner = nodes.inner.data();
-  for (const SecondOrderBlock& block : blocks) add_force(inner, displacement, rate, block);
+  add_forces(nodes, blocks);
 }
 
 std::array<double, 10> stiffness_of_nodes(const ShapeGradient& gradient, double volume,

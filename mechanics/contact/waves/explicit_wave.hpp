@@ -8,7 +8,7 @@
 
 namespace sunder {
 
-/// Searches for contacts: what was searched, and where it is expected. Times count from the last
+/// Searches for contacts: their scope, and the expected ways of bodies. Times count from the last
 /// search of everything, when a part asked for one (`StepPart::contacts_for`).
 struct WaveSearch {
   double lasts = 0;  ///< s: contacts are found up to then

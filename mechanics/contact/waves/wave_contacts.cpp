@@ -55,27 +55,20 @@ LumpedSide side_of_obstacle(const WaveScratch& wave, const ContactStep& step, st
   return side;
 }
 
-std::array<Vec3, 4> corners_at(const ContactPass& pass, TetId t) {
-  std::array<Vec3, 4> x;
-  for (std::size_t i = 0; i < 4; ++i) {
-    x[i] = pass.state.vertices.position[pass.input.corners[t.index()][i].index()];
-  }
-  return x;
-}
-
 /// The nodes of side B, a tetrahedron, and their shares. Of an overlap: those of the point of the
 /// tetrahedron where side A is. Impulses on two places would need a moment, which does work.
-TouchedNodes nodes_of_b(const ContactPass& pass, const ContactPoint& c, const Vec3& place) {
-  const std::span<const Corners> corners = pass.input.corners;
-  if (!c.is_of_overlap() || is_second_order(pass.state.elements, c.tetrahedron)) {
-    return touched_nodes(c, pass.state, corners);
+TouchedNodes nodes_of_b(const ContactStep& step, const ContactPoint& c, const Vec3& place) {
+  const MechanicsState& state = step.pass.state;
+  const std::span<const Corners> corners = step.pass.input.corners;
+  if (!c.is_of_overlap() || is_second_order(state.elements, c.tetrahedron)) {
+    return touched_nodes(c, state, corners);
   }
   constexpr double farthest = 2;
   ContactPoint under = c;
-  under.weights = barycentric(corners_at(pass, c.tetrahedron), place);
+  under.weights = barycentric(places_of(corners[c.tetrahedron.index()], paths_of(step)), place);
   const bool is_near =
       std::ranges::all_of(under.weights, [](double w) { return std::abs(w) < farthest; });
-  return touched_nodes(is_near ? under : c, pass.state, corners);
+  return touched_nodes(is_near ? under : c, state, corners);
 }
 
 LumpedRow row_of(WaveScratch& wave, const ContactStep& step, const ContactPoint& c, double count) {
@@ -87,7 +80,7 @@ LumpedRow row_of(WaveScratch& wave, const ContactStep& step, const ContactPoint&
                                                    nodes_of_a(c, corners), place)
                                : side_of_obstacle(wave, step, c.ball, place);
   row.sides[1] = c.is_body_b() ? side_of_component(wave, component_of_b(c, pass.state),
-                                                   nodes_of_b(pass, c, place), place)
+                                                   nodes_of_b(step, c, place), place)
                                : side_of_obstacle(wave, step, c.obstacle, place);
   row.normal = c.normal;
   row.gap_start = c.gap_start - target_gap(c);

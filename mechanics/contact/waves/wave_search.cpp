@@ -65,7 +65,7 @@ double stray_limit(const ContactStep& step) {
   return std::isfinite(cell) ? share * cell : 0;
 }
 
-/// Bodies inside the search are expected to go on from here as they move now; free obstacles too.
+/// Expects that bodies inside the search, and free obstacles, go on as they move now.
 void expect_from_here(WaveSearch& search, const ContactStep& step) {
   const VertexColumns& v = step.pass.state.vertices;
   search.position.resize(v.size());
@@ -82,12 +82,12 @@ void expect_from_here(WaveSearch& search, const ContactStep& step) {
   }
 }
 
-/// Row = component: the boxes around the ways of its vertices, wider by `beside` (m).
-std::vector<Bounds> boxes_on_ways(const StepPaths& paths, double beside) {
+/// Row = component: the boxes around the ways of its vertices, wider by `margin` (m).
+std::vector<Bounds> boxes_on_ways(const StepPaths& paths, double margin) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   std::vector<Bounds> boxes(paths.state.components.size(),
                             {Vec3::Constant(infinite), Vec3::Constant(-infinite)});
-  const Vec3 wide = Vec3::Constant(beside);
+  const Vec3 wide = Vec3::Constant(margin);
   for (std::size_t i = 0; i < paths.predicted.size(); ++i) {
     Bounds& box = boxes[paths.state.vertices.component[i].index()];
     const Vec3 &start = paths.state.vertices.position[i], &end = paths.predicted[i];
@@ -109,8 +109,8 @@ bool any_obstacle_strayed(const WaveSearch& search, const ContactStep& step, dou
   return false;
 }
 
-/// Puts components inside the search: those of members with a vertex farther than `most` m from
-/// where it was expected; all where a free obstacle is. Whether there are any.
+/// Puts components of members inside the search that have a vertex farther than `most` m from its
+/// expected place. A free obstacle so far from its own puts all inside. Gives whether any is.
 bool find_strayed(WaveSearch& search, const ContactStep& step, double most) {
   const VertexColumns& v = step.pass.state.vertices;
   const bool all = any_obstacle_strayed(search, step, most);
@@ -126,15 +126,20 @@ bool find_strayed(WaveSearch& search, const ContactStep& step, double most) {
   return any;
 }
 
-/// Puts components beside the search that may come near one inside. Where half of all are, the
-/// search is for everything.
-void find_beside(WaveSearch& search, const StepPaths& paths, double beside) {
-  const std::vector<Bounds> boxes = boxes_on_ways(paths, beside);
+bool is_everything(const std::vector<Scope>& scope) {
+  return std::ranges::all_of(scope, [](Scope one) { return one == Scope::inside; });
+}
+
+/// Marks the components that may come near one inside, within `margin` (m). A search of more than
+/// half of all components becomes a search of everything.
+void find_near(WaveSearch& search, const StepPaths& paths, double margin) {
+  if (is_everything(search.scope)) return;
+  const std::vector<Bounds> boxes = boxes_on_ways(paths, margin);
   std::vector<Scope>& scope = search.scope;
   for (std::size_t c = 0; c < boxes.size(); ++c) {
     if (scope[c] != Scope::inside) continue;
     for (std::size_t d = 0; d < boxes.size(); ++d) {
-      if (scope[d] == Scope::outside && boxes[c].overlaps(boxes[d])) scope[d] = Scope::beside;
+      if (scope[d] == Scope::outside && boxes[c].overlaps(boxes[d])) scope[d] = Scope::near;
     }
   }
   if (2 * std::ranges::count(scope, Scope::inside) > std::ssize(scope)) {
@@ -175,13 +180,11 @@ void expect_copies(WaveSearch& search, std::span<const VertexCopy> copies,
   }
 }
 
-/// Whether contacts like this one are found anew in the part at hand.
-bool is_found_anew(const ContactStep& step, const ContactPoint& contact) {
+/// Whether the search of the part at hand covers a contact.
+bool is_searched(const ContactStep& step, const ContactPoint& contact) {
   const WaveSearch& search = step.scratch.wave->search;
   const bool is_on_obstacle = !contact.is_body_a() || !contact.is_body_b();
   if (!contact.face.is_none() || (is_on_obstacle && !contact.vertex.is_none())) return true;
-  // Sides that have come out of an overlap may slide beside its patch.
-  if (contact.is_of_overlap() && contact.gap_start >= 0) return true;
   bool any = search.any && !contact.is_body_a() && !contact.is_body_b();
   for_each_component(contact, step.pass.state, [&](ComponentId id) {
     any = any || search.scope[id.index()] == Scope::inside;
@@ -189,12 +192,14 @@ bool is_found_anew(const ContactStep& step, const ContactPoint& contact) {
   return any;
 }
 
-/// Contacts of the part before that are not found anew, where they are now; those of split vertices
-/// for all their copies.
+/// Takes the contacts of the part before that the search does not cover, with their present gaps.
+/// Contacts of split vertices hold for all copies.
 void keep_contacts(ContactStep& step, std::span<const VertexCopy> copies) {
   const StepPaths paths = paths_of(step);
   const auto take = [&](ContactPoint contact) {
-    if (!takes_part(step, contact) || is_found_anew(step, contact)) return;
+    if (!takes_part(step, contact) || is_searched(step, contact)) return;
+    // Sides that have come out of an overlap may slide off its patch.
+    if (contact.is_of_overlap() && contact.gap_start >= 0) return;
     contact.impulse.setZero();
     contact.offset = contact.gap_start - contact.normal.dot(path_of(contact, paths).start);
     step.contacts.push_back(contact);
@@ -227,10 +232,6 @@ std::ptrdiff_t sleepers(const MechanicsState& state) {
   return std::ranges::count(state.components, Rung::asleep, &Component::rung);
 }
 
-bool is_everything(const std::vector<Scope>& scope) {
-  return std::ranges::all_of(scope, [](Scope one) { return one == Scope::inside; });
-}
-
 /// All contacts of the components inside the search, and of those that these wake, for as long as
 /// contacts last; with vertices on obstacles and crack faces of all.
 void search_again(ContactStep& step) {
@@ -238,7 +239,7 @@ void search_again(ContactStep& step) {
   step.ahead = search.lasts - search.clock;
   predict_free_flight(step, step.ahead);
   step.look = ContactStep::Look::all;
-  find_beside(search, paths_of(step), step.margin + 10 * step.settings.allowed_penetration);
+  find_near(search, paths_of(step), step.margin + 10 * step.settings.allowed_penetration);
   const std::ptrdiff_t asleep = sleepers(step.pass.state);
   step.scope = search.scope;
   update_partners(step.memory, step.scratch.detect, paths_of(step));

@@ -131,8 +131,8 @@ TEST_CASE("a search for some bodies finds all their contacts, and no others",
   std::size_t contacts = 0;
   for (int k = 0; k < 30; ++k) {
     crowd.predict(h, false);
-    std::vector<Scope> scope(bodies, Scope::beside);
-    for (Scope& one : scope) one = random() % 3 == 0 ? Scope::inside : Scope::beside;
+    std::vector<Scope> scope(bodies, Scope::near);
+    for (Scope& one : scope) one = random() % 3 == 0 ? Scope::inside : Scope::near;
     const auto found = search(scope, scope);
     CHECK(found == search(everything, scope));
     contacts += found.size();

@@ -34,7 +34,7 @@ void measure_balls(DetectScratch& scratch, const StepPaths& paths, double share)
 namespace {
 
 /// `DetectScratch::beside_share` of boxes on ways.
-constexpr double beside_on_ways = 0.1;
+constexpr double share_on_ways = 0.1;
 
 /// Pairs of vertices and tetrahedra by the boxes of tetrahedra and corners on their ways.
 void pair_up_by_boxes(DetectScratch& scratch, const StepPaths& paths) {
@@ -100,7 +100,7 @@ void pair_up_by_boxes(DetectScratch& scratch, const StepPaths& paths) {
 /// smaller.
 void pair_up(DetectScratch& scratch, const StepPaths& paths) {
   if (!paths.scope.empty()) {
-    scratch.beside_share = beside_on_ways;
+    scratch.beside_share = share_on_ways;
     return pair_up_by_boxes(scratch, paths);
   }
   const std::vector<Vec3>& start = paths.state.vertices.position;
@@ -138,7 +138,7 @@ void pair_up(DetectScratch& scratch, const StepPaths& paths) {
     scratch.reach[t] = is_member ? scratch.radius[t] + 0.5 * motion : 0;
     if (is_member && !(motion < 2 * scratch.radius[t])) is_fast = true;
   }
-  scratch.beside_share = is_fast ? beside_on_ways : std::numeric_limits<double>::infinity();
+  scratch.beside_share = is_fast ? share_on_ways : std::numeric_limits<double>::infinity();
   if (is_fast) return pair_up_by_boxes(scratch, paths);
   find_sphere_pairs(scratch.pairs, scratch.grid, scratch.cache,
                     {scratch.point_middle, component, scratch.centre_middle, scratch.reach,

@@ -176,6 +176,7 @@ void update_shapes(DetectScratch& scratch, const StepPaths& paths) {
 }  // namespace
 
 void update_near(DetectScratch& scratch, const StepPaths& paths) {
+  if (!paths.scope.empty()) return;
   update_shapes(scratch, paths);
   // Pairs are bounded within the mean edge of their search: twice the present one is more.
   scratch.travel.reach = 2 * scratch.mean_edge;

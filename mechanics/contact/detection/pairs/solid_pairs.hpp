@@ -43,7 +43,8 @@ bool keeps_pairs(const DetectScratch& scratch, const StepPaths& paths);
 /// Ways, shapes and margin for kept pairs. Needs: `update_near`.
 NearQuery near_query(const DetectScratch& scratch);
 
-/// Ways of components, and shapes where the surface has changed. Needs: `scratch.surface`.
+/// Ways of components, and shapes where the surface has changed. A search of some components keeps
+/// no pairs, and needs neither. Needs: `scratch.surface`.
 void update_near(DetectScratch& scratch, const StepPaths& paths);
 
 /// Makes `scratch.near_solids` hold for the step: pairs of tetrahedra on the surfaces of different

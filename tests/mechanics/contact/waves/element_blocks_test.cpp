@@ -61,7 +61,7 @@ TEMPLATE_TEST_CASE("four packed tetrahedra have the forces of each, and places l
     }
     add_block_forces({displacement, rate, inner}, std::span<const TestType>(&block, 1));
     for (std::size_t i = 0; i < all; ++i) {
-      CHECK((row_of(inner, i) - expected[i]).norm() < 1e-11);
+      CHECK((row_of(inner, i) - expected[i]).norm() < 1e-12);
       CHECK(inner[4 * i + 3] == 0);
     }
   }
