@@ -89,6 +89,7 @@ constexpr OutputColumn report_list[] = {
     {"rubble.mixed", "", "Islands stepped in full because rubble touched other pieces."},
     {"rubble.solids", "",
      "Islands stepped in full because they were near an obstacle with a mesh."},
+    {"rubble.struck", "", "Islands of rubble stepped in full because a blow could break a piece."},
     {"rubble.most_rigid", "", "Most rigid pieces at once, without single tetrahedra."},
     {"rubble.declared", "", "Most components that `ladder.declared_rubble` keeps from breaking."},
     {"rubble.declared_share", "", "Largest share of the mass of all bodies in them."},

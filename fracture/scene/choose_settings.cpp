@@ -172,9 +172,10 @@ Chosen negligible(const Outlook& o) {
 
 Chosen rubble(const Outlook& o) {
   if (o.accuracy == Accuracy::preview && !o.fits) {
-    return {
-        1,
-        "small pieces move as rigid bodies in steps of 1/240 s; faster, but later cracks differ"};
+    return {2,
+            "pieces move as rigid bodies in steps of 1/240 s until a blow could break them; "
+            "faster, but "
+            "later cracks differ"};
   }
   return {0, "later cracks depend on elastic impacts of small pieces"};
 }
@@ -195,7 +196,7 @@ Chosen kernel(const Outlook& o) {
                       o.tetrahedra, 850e-9 * static_cast<double>(o.tetrahedra))};
 }
 
-constexpr std::array<std::string_view, 2> rubble_words = {"off", "certified"};
+constexpr std::array<std::string_view, 3> rubble_words = {"off", "certified", "until_struck"};
 constexpr std::array<std::string_view, 2> kernel_words = {"dense", "lcc"};
 
 // A key more is a line more, and `chosen` in its description.
@@ -211,8 +212,7 @@ constexpr std::array<Rule, 10> rules = {{
      [](Scene& s, double v) { s.contact.max_contacts_per_pair = static_cast<std::uint32_t>(v); },
      contacts},
     {"impact.negligible", [](Scene& s, double v) { s.impact.negligible = v; }, negligible},
-    {"ladder.rubble",
-     [](Scene& s, double v) { s.ladder.rubble = v == 1 ? RubbleMode::certified : RubbleMode::off; },
+    {"ladder.rubble", [](Scene& s, double v) { s.ladder.rubble = static_cast<RubbleMode>(v); },
      rubble, rubble_words},
     {"ladder.declared_rubble", [](Scene& s, double v) { s.ladder.declared_rubble = v; }, declared},
     {"topology.kernel",

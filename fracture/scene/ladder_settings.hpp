@@ -9,6 +9,9 @@ namespace sunder {
 enum class RubbleMode {
   off,        ///< never
   certified,  ///< if a bound proves that none can break before the next check
+  /// Those, and pieces that came off, until a blow could break one of them. Slow loads on such
+  /// pieces are not looked at.
+  until_struck,
 };
 
 /// Components that may be computed with less than full dynamics

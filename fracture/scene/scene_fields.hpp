@@ -30,7 +30,8 @@ inline const Names<MapKernel>& names_of(MapKernel) {
 }
 inline const Names<RubbleMode>& names_of(RubbleMode) {
   static const Names<RubbleMode> names = {{RubbleMode::off, "off"},
-                                          {RubbleMode::certified, "certified"}};
+                                          {RubbleMode::certified, "certified"},
+                                          {RubbleMode::until_struck, "until_struck"}};
   return names;
 }
 

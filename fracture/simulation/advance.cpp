@@ -12,6 +12,7 @@
 #include "fracture/simulation/ledger/force_report.hpp"
 #include "fracture/simulation/part.hpp"
 #include "fracture/simulation/plan.hpp"
+#include "fracture/simulation/plan_members.hpp"
 #include "fracture/simulation/rebuild_pieces.hpp"
 #include "fracture/simulation/rubble/rigid_pieces.hpp"
 #include "fracture/simulation/rubble/rubble_tick.hpp"
@@ -250,6 +251,7 @@ StepReport finish_step(StepWork& step) {
   SimulationState& s = step.state();
   StepReport& report = step.report;
   end_boundary(step.plan.boundary, s);
+  unstiffen_members(s);
   note_plan(report, step.plan);
   report.step = ++s.step;
   report.new_components = note_births(s, step.components_before);

@@ -49,6 +49,14 @@ void find_tied(std::vector<char>& tied, const SimulationState& s) {
   }
 }
 
+void find_separated(std::vector<char>& separated, const SimulationState& s) {
+  separated.assign(s.mechanics.components.size(), 0);
+  const std::vector<ComponentId>& parent = s.cells.labels.parent;
+  for (std::size_t k = 0; k < parent.size(); ++k) {
+    if (!parent[k].is_none()) separated[k] = separated[parent[k].index()] = 1;
+  }
+}
+
 double stop_deforming(MechanicsState& state, const Component& component) {
   VertexColumns& vertices = state.vertices;
   double before = 0, after = 0;

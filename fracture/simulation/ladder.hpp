@@ -30,6 +30,9 @@ double flight_stress_bound(const MechanicsState& state, const Component& compone
 /// together have no equilibrium by K.
 void find_tied(std::vector<char>& tied, const SimulationState& state);
 
+/// Marks components that came off another one or that something came off; rows = ComponentId.
+void find_separated(std::vector<char>& separated, const SimulationState& state);
+
 /// Vertices of a free component move with its frame alone from now on. Gives the kinetic energy of
 /// its deformation, which is lost, J. Momenta stay. O(vertices of the component).
 double stop_deforming(MechanicsState& state, const Component& component);

@@ -32,6 +32,11 @@ bool has_windows(const Scene& scene) {
          scene.contact.method == ContactMethod::impulses;
 }
 
+/// Whether pieces that came off deform in windows alone.
+bool stiffens_all(const Scene& scene) {
+  return has_windows(scene) && scene.ladder.rubble == RubbleMode::until_struck;
+}
+
 bool is_open(const ImpactWindow& window, std::size_t component) {
   return window.quiet[component] != ImpactWindow::closed;
 }
@@ -103,6 +108,13 @@ void begin_others(StepPlan& plan, const SimulationState& s) {
   plan.obstacles = s.obstacles;
 }
 
+PlannedPart next_of_others(StepPlan& plan, const StepPart& whole, const Scene& scene,
+                           SimulationState& s) {
+  const bool moves = take_the_others(plan, s);
+  if (stiffens_all(scene)) stiffen_members(plan, s);
+  return {.part = whole, .length = scene.integrator.time_step, .moves = moves};
+}
+
 /// The others have taken the step; now the members take it. Steps that are no longer than the
 /// minimal length of a window are sub-stepped whole. To freeze moving components for a part of them
 /// would cost more accuracy than it saves.
@@ -159,7 +171,7 @@ PlannedPart next_of_members(StepPlan& plan, const Scene& scene, SimulationState&
     plan_waves(wave, plan, scene, s);
     return {wave, wave.sub_steps * sub_step};
   }
-  unstiffen_members(s);
+  if (!stiffens_all(scene)) unstiffen_members(s);
   // The rest of the step at once, or the way to the next blow.
   const ImpactSettings* impact = at_once ? nullptr : &scene.impact;
   return {
@@ -247,7 +259,6 @@ void note_members(StepPlan& plan, const PlannedPart& part, const ContactStepResu
 
 /// Ends the members' step: all bodies are at the same time again.
 void finish_members(StepPlan& plan, const Scene& scene, SimulationState& s) {
-  unstiffen_members(s);
   end_boundary(plan.boundary, s);
   if (plan.impact.stopped) std::ranges::fill(s.impact.quiet, ImpactWindow::closed);
   put_back_obstacles(plan, s.obstacles);
@@ -311,6 +322,7 @@ std::optional<PlannedPart> next_part(StepPlan& plan, const Scene& scene, Simulat
   }
   switch (plan.phase) {
     case Phase::whole: {
+      if (stiffens_all(scene)) stiffen_members(plan, s);
       StepPart undivided = whole;
       undivided.divides = is_floating(scene.integrator.integrator);
       return anybody_moves(plan, s)
@@ -324,7 +336,7 @@ std::optional<PlannedPart> next_part(StepPlan& plan, const Scene& scene, Simulat
     }
     case Phase::others:
       gather_members(plan, s, h);
-      return PlannedPart{.part = whole, .length = h, .moves = take_the_others(plan, s)};
+      return next_of_others(plan, whole, scene, s);
     case Phase::members:
       return next_of_members(plan, scene, s);
     case Phase::others_done:

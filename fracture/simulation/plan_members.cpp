@@ -95,19 +95,15 @@ std::uint64_t sub_steps_of_contacts(const StepPlan& plan, const SimulationState&
 }
 
 void stiffen_members(StepPlan& plan, SimulationState& s) {
-  const std::vector<ComponentId>& parent = s.cells.labels.parent;
-  std::vector<char> deforms;
+  std::vector<char> deforms, separated;
   find_tied(deforms, s);
   for (const ComponentId id : open_windows(s.impact)) deforms[id.index()] = 1;
-  std::vector<char> came_off(s.mechanics.components.size(), 0);
-  for (std::size_t k = 0; k < parent.size(); ++k) {
-    if (!parent[k].is_none()) came_off[k] = came_off[parent[k].index()] = 1;
-  }
+  find_separated(separated, s);
   for (Component& c : s.mechanics.components) {
     const std::size_t row = c.id.index();
     if (c.rung == Rung::stiff && deforms[row]) c.rung = Rung::full;
-    const bool may = plan.components[row] && c.rung == Rung::full && !c.supported && !c.rigid;
-    if (!may || c.tetrahedra.empty() || deforms[row] || !came_off[row]) continue;
+    const bool may = plan.members().has(c.id) && c.rung == Rung::full && !c.supported && !c.rigid;
+    if (!may || c.tetrahedra.empty() || deforms[row] || !separated[row]) continue;
     plan.released += stop_deforming(s.mechanics, c);
     c.rung = Rung::stiff;
   }

@@ -83,7 +83,9 @@ struct RubbleTickScratch {
   RubbleScratch solver;
   std::vector<char> declared;     ///< row = ComponentId (`note_unbreakable`)
   std::vector<char> tied;         ///< row = ComponentId: it has ties
+  std::vector<char> watched;      ///< row = ComponentId: rubble until a blow could break it
   std::vector<double> threshold;  ///< J, row = ComponentId
+  std::vector<double> strength;   ///< Pa, row = ComponentId, of the weakest vertex
   std::vector<double> body_mass;  ///< kg, row = body
 };
 

@@ -82,6 +82,7 @@ struct RubbleStepReport {
   std::uint32_t refused = 0;            ///< islands without a certificate: stepped in full
   std::uint32_t mixed = 0;              ///< islands of rubble and other pieces: stepped in full
   std::uint32_t solids = 0;             ///< islands near obstacles that are meshes: stepped in full
+  std::uint32_t struck = 0;             ///< islands with a blow that could break: stepped in full
   std::uint32_t rigid = 0;              ///< most rigid pieces at once, single tetrahedra left out
   std::uint32_t declared = 0;           ///< most components declared never to break again
   double declared_share = 0;            ///< their largest share of the mass of all bodies
@@ -96,6 +97,7 @@ constexpr auto counters_of(const RubbleStepReport*) {
                     Counter{"refused", &RubbleStepReport::refused},
                     Counter{"mixed", &RubbleStepReport::mixed},
                     Counter{"solids", &RubbleStepReport::solids},
+                    Counter{"struck", &RubbleStepReport::struck},
                     Counter{"most_rigid", &RubbleStepReport::rigid, Adds::most},
                     Counter{"declared", &RubbleStepReport::declared, Adds::most},
                     Counter{"declared_share", &RubbleStepReport::declared_share, Adds::most}};

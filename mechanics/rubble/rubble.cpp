@@ -295,6 +295,7 @@ void take_round(Tick& tick, int rounds) {
   for (int k = 0; k < sub_steps; ++k) {
     fall(tick);
     note_velocities(tick);
+    note_blows(tick.report.blow, patches, moving, tick.sub_step());
     warm_start(patches, moving);
     sweep_patches(patches, order, moving, pushing);
     take_impulses(tick);
@@ -362,6 +363,7 @@ RubbleReport advance_rubble(std::span<RubbleBody> bodies, std::span<const Rubble
     return tick.report;
   }
   tick.report.given.assign(bodies.size(), Impulse::Zero());
+  tick.report.blow.assign(bodies.size(), {});
   tick.scratch.moving.clear();
   for (const RubbleBody& body : bodies) tick.scratch.moving.push_back(moving_of(body));
   const int rounds = rounds_of(tick);

@@ -78,6 +78,12 @@ struct RubbleSettings {
   unsigned threads = 1;
 };
 
+/// The blows on a body in a tick.
+struct RubbleBlow {
+  double speed = 0;   ///< m/s, at which the fastest point meets another body
+  double energy = 0;  ///< J, sum of the kinetic energies that its points must lose to stop
+};
+
 /// The result of a tick.
 struct RubbleReport {
   std::uint32_t awake = 0, asleep = 0;      ///< bodies with a mass, at the end
@@ -95,6 +101,7 @@ struct RubbleReport {
   Impulse sleep = Impulse::Zero();    ///< momenta of bodies that fell asleep
   /// Impulse of contact on bodies without `in_ledger`. Row = body. Empty if nothing moved.
   std::vector<Impulse> given;
+  std::vector<RubbleBlow> blow;                      ///< row = body; empty if nothing moved
   double narrow_ms = 0, broad_ms = 0, solve_ms = 0;  ///< wall time
 };
 

@@ -125,6 +125,23 @@ void prepare_patches(std::span<RubblePatch> patches, std::span<const MovingBody>
   for (RubblePatch& patch : patches) prepare(patch, bodies[patch.a], bodies[patch.b]);
 }
 
+void note_blows(std::span<RubbleBlow> blows, std::span<const RubblePatch> patches,
+                std::span<const MovingBody> bodies, double time) {
+  for (const RubblePatch& patch : patches) {
+    const MovingBody &a = bodies[patch.a], &b = bodies[patch.b];
+    for (int k = 0; k < patch.count; ++k) {
+      const RubblePatch::Point& p = patch.point[static_cast<std::size_t>(k)];
+      const Vec3 apart = a.velocity + a.spin.cross(p.arm_a) - b.velocity - b.spin.cross(p.arm_b);
+      const double approach = -patch.normal.dot(apart);
+      if (!(approach > 0) || p.separation > time * approach) continue;
+      for (const std::uint32_t body : {patch.a, patch.b}) {
+        blows[body].speed = std::max(blows[body].speed, approach);
+        blows[body].energy += 0.5 * p.response * approach * approach;
+      }
+    }
+  }
+}
+
 void warm_start(std::span<const RubblePatch> patches, std::span<MovingBody> bodies) {
   for (const RubblePatch& patch : patches) {
     MovingBody& a = bodies[patch.a];

@@ -64,6 +64,11 @@ void prepare_patches(std::span<RubblePatch> patches, std::span<const MovingBody>
 /// Gives bodies the impulses that patches have.
 void warm_start(std::span<const RubblePatch> patches, std::span<MovingBody> bodies);
 
+/// Adds the blows of points that approach and will touch within `time` (s); row = body. Each point
+/// is taken by itself: points of one patch count the same energy several times.
+void note_blows(std::span<RubbleBlow> blows, std::span<const RubblePatch> patches,
+                std::span<const MovingBody> bodies, double time);
+
 /// One sweep of all rows in `order`, and one back: lower bodies bear higher ones.
 void sweep_patches(std::span<RubblePatch> patches, std::span<const std::uint32_t> order,
                    std::span<MovingBody> bodies, const SweepRule& rule);

@@ -15,10 +15,13 @@ enum class Rung : unsigned char {
   asleep,        ///< nothing: the component is at rest
   rubble,        ///< rigid motion and contact, with a clock of its own
   carried,       ///< within a step only: has taken the step, and meets sub-stepped components
-  stiff,         ///< within a step only: like `rigid`, among sub-stepped components
+  stiff,         ///< within a step only: like `rigid`, and stays so where contact finds it
 };
 /// Number of levels that components can have between steps.
 inline constexpr std::size_t rung_count = 5;
+
+/// True if contact finds a rigid body at this level, in a step or a part of one.
+constexpr bool is_stiff(Rung rung) { return rung == Rung::carried || rung == Rung::stiff; }
 
 /// True if displacements change at this level.
 constexpr bool deforms(Rung rung) { return rung == Rung::full || rung == Rung::quasi_static; }

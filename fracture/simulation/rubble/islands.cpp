@@ -237,11 +237,12 @@ bool all_are_safe(RubbleChoice& choice, const Nodes& nodes, const std::vector<ch
 
 RubbleChoice choose_rubble(const Simulation& sim, const RubbleInput& input) {
   const SimulationState& s = *sim.state;
-  const auto& [threshold, declared, gravity, tick] = input;
+  const auto& [threshold, declared, watched, gravity, tick] = input;
   const Nodes nodes{s};
   RubbleChoice choice;
   choice.component.assign(nodes.components(), 0);
   choice.ball.assign(s.obstacles.size(), 0);
+  choice.island.assign(nodes.count(), RubbleChoice::no_island);
   const std::vector<char> may = find_candidates(sim, nodes, input);
   if (all_are_safe(choice, nodes, may, input)) return choice;
   const std::vector<char> marked = near_awake(nodes, may, gravity, tick);
@@ -292,7 +293,7 @@ RubbleChoice choose_rubble(const Simulation& sim, const RubbleInput& input) {
   for (const std::uint32_t k : members) {
     Island& island = island_of(k);
     if (!island.is_rubble || nodes.is_ball(k)) continue;
-    if (threshold[k] == boundless || declared[k]) continue;
+    if (threshold[k] == boundless || declared[k] || watched[k]) continue;
     const double weight = island.is_grounded ? island.mass * fall * (island.fastest + fall) : 0;
     const double spent = k < s.ladder.rubble.spent.size() ? s.ladder.rubble.spent[k] : 0;
     const double bound =
@@ -328,6 +329,7 @@ RubbleChoice choose_rubble(const Simulation& sim, const RubbleInput& input) {
       continue;
     }
     (nodes.is_ball(k) ? choice.ball[k - nodes.components()] : choice.component[k]) = 1;
+    choice.island[k] = joined.root(k);
     choice.any_awake = choice.any_awake || island.is_awake;
   }
   return choice;

@@ -3,6 +3,7 @@
 // could meet.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "fracture/scene/scene.hpp"
@@ -15,6 +16,7 @@ namespace sunder {
 struct RubbleInput {
   const std::vector<double>& threshold;  ///< J (`note_break_energies`)
   const std::vector<char>& declared;     ///< `note_unbreakable`
+  const std::vector<char>& watched;      ///< rubble until a blow: needs no certificate
   Vec3 gravity = Vec3::Zero();           ///< m/s^2
   double tick = 0;                       ///< s
 };
@@ -23,6 +25,9 @@ struct RubbleInput {
 struct RubbleChoice {
   /// Rows = ComponentId, obstacles: in an island of rubble alone, be it asleep.
   std::vector<char> component, ball;
+  static constexpr std::uint32_t no_island = ~0u;
+  /// Rows = ComponentId, then obstacles: the name of their island of rubble, if that is awake.
+  std::vector<std::uint32_t> island;
   bool any_awake = false;
   std::uint32_t refused = 0;  ///< islands with a failed certificate
   std::uint32_t mixed = 0;    ///< islands of candidates and other bodies
@@ -41,6 +46,7 @@ struct RubbleChoice {
 /// - kinetic energy against the obstacles that the island touches, or else against its mass centre,
 /// - strain energy in the island, and the work of gravity in the tick,
 /// - the energy that contacts took from the piece's islands since it has been rubble.
+/// Pieces that are watched need none (`RubbleMode::until_struck`).
 /// Not for `NodeStress::fit`. Where an island meets obstacles of different velocities there is no
 /// bound.
 RubbleChoice choose_rubble(const Simulation& sim, const RubbleInput& input);

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "fracture/simulation/ladder.hpp"
 #include "fracture/simulation/ledger/break_energy.hpp"
@@ -11,10 +13,12 @@
 #include "fracture/simulation/rubble/rigid_pieces.hpp"
 #include "fracture/simulation/rubble/rubble_world.hpp"
 #include "fracture/simulation/simulation_state.hpp"
+#include "mechanics/contact/impact/impact.hpp"
 #include "mechanics/contact/impact/impact_energy.hpp"
 #include "mechanics/contact/shapes/obstacle_geometry.hpp"
 #include "mechanics/integrators/rigid_motion.hpp"
 #include "mechanics/state/dense_solve.hpp"
+#include "topology/base/sort_unique.hpp"
 #include "topology/base/whole_number.hpp"
 
 namespace sunder {
@@ -144,34 +148,131 @@ double kinetic_of(const RubbleWorld& world) {
   return sum;
 }
 
-void take_ticks(StepReport& report, Simulation& sim, RubbleWorld& world, const RubbleClock& clock,
-                const Vec3& gravity) {
-  SimulationState& s = *sim.state;
+RubbleSettings settings_of(const Simulation& sim, const RubbleWorld& world, double tick,
+                           const Vec3& gravity) {
   RubbleSettings settings;
-  settings.length = clock.tick;
+  settings.length = tick;
   settings.gravity = gravity;
   settings.slop = sim.scene.contact.allowed_penetration;
   settings.still_speed = still_speed(world, sim.scene, gravity);
   settings.sleep_after = sim.scene.ladder.sleep ? sim.scene.ladder.sleep_after : 0;
   settings.threads = sim.threads;
+  return settings;
+}
+
+/// Ticks of the rubble that the simulation has not taken over yet.
+struct Ticks {
+  RubbleWorld world;            ///< as the last one ends
+  std::vector<double> kinetic;  ///< J, row = body, as the first one begins
+  RubbleMemory memory;
+  std::vector<RubbleReport> reports;
+  double spent = 0;  ///< J, that contacts took
+};
+
+Ticks take_ticks(Simulation& sim, const RubbleChoice& choice, const RubbleClock& clock,
+                 const Vec3& gravity) {
+  Ticks ticks{.world = make_rubble_world(sim, choice.component, choice.ball),
+              .kinetic = {},
+              .memory = sim.state->ladder.rubble.memory,
+              .reports = {}};
+  RubbleWorld& world = ticks.world;
+  for (const RubbleBody& body : world.bodies) ticks.kinetic.push_back(kinetic_energy(body));
+  const RubbleSettings settings = settings_of(sim, world, clock.tick, gravity);
   for (std::uint64_t k = 0; k < clock.ticks; ++k) {
     const double before = kinetic_of(world);
-    const RubbleReport tick =
-        advance_rubble(world.bodies, world.shapes, s.ladder.rubble.memory, settings,
-                       sim.scratch->rubble.solver, nullptr, world.partners);
-    // All lost energy counts for every component: islands are not distinguished.
-    const double lost = before + tick.gravity_work - kinetic_of(world);
-    for (std::size_t c = 0; c < world.of_component.size(); ++c) {
-      if (world.of_component[c] != RubbleWorld::no_row)
-        s.ladder.rubble.spent[c] += std::max(0.0, lost);
-    }
+    const RubbleReport& tick = ticks.reports.emplace_back(
+        advance_rubble(world.bodies, world.shapes, ticks.memory, settings,
+                       sim.scratch->rubble.solver, nullptr, world.partners));
+    ticks.spent += std::max(0.0, before + tick.gravity_work - kinetic_of(world));
+  }
+  return ticks;
+}
+
+/// Whether a blow of the ticks could break the component.
+bool is_struck(const Simulation& sim, const Ticks& ticks, const Component& c) {
+  const RubbleTickScratch& scratch = sim.scratch->rubble;
+  const std::uint32_t row = ticks.world.of_component[c.id.index()];
+  if (row == RubbleWorld::no_row || scratch.declared[c.id.index()]) return false;
+  const double strength = scratch.strength[c.id.index()];
+  return std::ranges::any_of(ticks.reports, [&](const RubbleReport& tick) {
+    if (tick.blow.empty()) return false;
+    const RubbleBlow& blow = tick.blow[row];
+    return blow.energy >= scratch.threshold[c.id.index()] &&
+           is_blow(sim.state->mechanics, c, blow.speed, strength, sim.scene.impact);
+  });
+}
+
+/// Takes islands out of the choice in which a piece is struck. Gives their number.
+std::uint32_t leave_out_struck(RubbleChoice& choice, const Simulation& sim, const Ticks& ticks) {
+  const std::vector<Component>& components = sim.state->mechanics.components;
+  std::vector<std::uint32_t> struck;
+  for (const Component& c : components) {
+    if (is_struck(sim, ticks, c)) struck.push_back(choice.island[c.id.index()]);
+  }
+  sort_unique(struck);
+  if (struck.empty()) return 0;
+  choice.any_awake = false;
+  for (std::size_t k = 0; k < choice.island.size(); ++k) {
+    const bool is_ball = k >= components.size();
+    char& member = is_ball ? choice.ball[k - components.size()] : choice.component[k];
+    if (std::ranges::binary_search(struck, choice.island[k])) member = 0;
+    choice.any_awake =
+        choice.any_awake || (member && (is_ball || components[k].rung != Rung::asleep));
+  }
+  return static_cast<std::uint32_t>(struck.size());
+}
+
+void add_ticks(StepReport& report, Simulation& sim, Ticks&& ticks) {
+  RubbleState& rubble = sim.state->ladder.rubble;
+  rubble.memory = std::move(ticks.memory);
+  for (const RubbleReport& tick : ticks.reports) {
     add_tick(report, tick);
-    for (std::size_t o = 0; o < world.of_obstacle.size() && !tick.given.empty(); ++o) {
-      const std::uint32_t row = world.of_obstacle[o];
+    for (std::size_t o = 0; o < ticks.world.of_obstacle.size() && !tick.given.empty(); ++o) {
+      const std::uint32_t row = ticks.world.of_obstacle[o];
       if (row == RubbleWorld::no_row || !sim.reports_forces) continue;
       report.forces.obstacle[o] += tick.given[row];
     }
   }
+  // All lost energy counts for every component: islands are not distinguished.
+  for (std::size_t c = 0; c < ticks.world.of_component.size(); ++c) {
+    if (ticks.world.of_component[c] != RubbleWorld::no_row) rubble.spent[c] += ticks.spent;
+  }
+}
+
+/// Stops the deformation of components that become rubble. Gives the kinetic energy that they lose,
+/// J.
+double stop_members(SimulationState& s, const Ticks& ticks) {
+  double swinging = 0;
+  for (Component& c : s.mechanics.components) {
+    const std::uint32_t row = ticks.world.of_component[c.id.index()];
+    if (row == RubbleWorld::no_row) continue;
+    const bool is_new = c.rung != Rung::asleep && c.rung != Rung::rubble;
+    swinging += stop_swinging(s.mechanics, c);
+    if (is_new) swinging -= ticks.kinetic[row];
+    // No declared piece breaks in a window.
+    if (c.id.index() < s.impact.quiet.size()) s.impact.quiet[c.id.index()] = ImpactWindow::closed;
+  }
+  return swinging;
+}
+
+/// The rubble of the tick. Pieces that came off are watched.
+RubbleChoice choose_members(StepReport& report, Simulation& sim, double length,
+                            const Vec3& gravity) {
+  const SimulationState& s = *sim.state;
+  RubbleTickScratch& scratch = sim.scratch->rubble;
+  note_break_energies(scratch.threshold, s.mechanics, s.cells, sim.scene.fracture.node_stress,
+                      sim.scratch->break_energy);
+  scratch.watched.assign(s.mechanics.components.size(), 0);
+  if (sim.scene.ladder.rubble == RubbleMode::until_struck) {
+    find_separated(scratch.watched, s);
+    note_lowest_strengths(scratch.strength, s.mechanics, s.cells);
+  }
+  RubbleChoice choice =
+      choose_rubble(sim, {scratch.threshold, scratch.declared, scratch.watched, gravity, length});
+  report.rubble.refused += choice.refused;
+  report.rubble.mixed += choice.mixed;
+  report.rubble.solids += choice.solids;
+  return choice;
 }
 
 }  // namespace
@@ -201,16 +302,19 @@ void begin_rubble(StepReport& report, Simulation& sim) {
   if (all_rest(s)) return;
   const double whole = clock.tick * static_cast<double>(clock.ticks);
   const Vec3 gravity = gravity_at(scene.gravity, s.mechanics.time + whole);
-  note_break_energies(scratch.threshold, s.mechanics, s.cells, scene.fracture.node_stress,
-                      sim.scratch->break_energy);
-  RubbleChoice choice = choose_rubble(sim, {scratch.threshold, scratch.declared, gravity, whole});
-  report.rubble.refused += choice.refused;
-  report.rubble.mixed += choice.mixed;
-  report.rubble.solids += choice.solids;
+  RubbleChoice choice = choose_members(report, sim, whole, gravity);
+  std::optional<Ticks> ticks;
+  if (choice.any_awake) ticks = take_ticks(sim, choice, clock, gravity);
+  if (ticks && scene.ladder.rubble == RubbleMode::until_struck) {
+    const std::uint32_t struck = leave_out_struck(choice, sim, *ticks);
+    report.rubble.struck += struck;
+    if (struck > 0) ticks.reset();
+    if (struck > 0 && choice.any_awake) ticks = take_ticks(sim, choice, clock, gravity);
+  }
   leave_rung(s, choice.component);
   rubble.apart = std::move(choice.component);
   rubble.ball_apart = std::move(choice.ball);
-  if (!choice.any_awake) {
+  if (!ticks) {
     if (std::ranges::find(rubble.apart, char{1}) == rubble.apart.end()) {
       rubble.apart.clear();
       rubble.ball_apart.clear();
@@ -218,22 +322,9 @@ void begin_rubble(StepReport& report, Simulation& sim) {
     return;
   }
   forget_contacts(s, rubble.apart);
-  double swinging = 0;
-  for (Component& c : s.mechanics.components) {
-    if (!rubble.apart[c.id.index()]) continue;
-    swinging += stop_swinging(s.mechanics, c);
-    // No declared piece breaks in a window.
-    if (c.id.index() < s.impact.quiet.size()) s.impact.quiet[c.id.index()] = ImpactWindow::closed;
-  }
-  RubbleWorld world = make_rubble_world(sim, rubble.apart, rubble.ball_apart);
-  for (const Component& c : s.mechanics.components) {
-    const std::uint32_t row = world.of_component[c.id.index()];
-    if (row == RubbleWorld::no_row || c.rung == Rung::asleep || c.rung == Rung::rubble) continue;
-    swinging -= kinetic_energy(world.bodies[row]);
-  }
-  report.energy_released += swinging;
-  take_ticks(report, sim, world, clock, gravity);
-  take_back(s, world);
+  report.energy_released += stop_members(s, *ticks);
+  take_back(s, ticks->world);
+  add_ticks(report, sim, std::move(*ticks));
 }
 
 }  // namespace sunder

@@ -9,6 +9,7 @@
 #include "mechanics/contact/contact_step.hpp"
 #include "mechanics/contact/impact/impact_energy.hpp"
 #include "mechanics/contact/shapes/obstacle_geometry.hpp"
+#include "mechanics/state/dense_solve.hpp"
 #include "topology/base/sort_unique.hpp"
 
 namespace sunder {
@@ -62,7 +63,9 @@ class BlowJudge {
 struct Touch {
   double impulse = 0;  ///< N s
   Vec3 normal = Vec3::Zero();
-  Vec3 against = Vec3::Zero();  ///< m/s, velocity of the other side at the start
+  Vec3 place = Vec3::Zero();    ///< m, where both are pushed
+  Vec3 own = Vec3::Zero();      ///< m/s, velocity of the component there at the start
+  Vec3 against = Vec3::Zero();  ///< m/s, of the other side
 };
 
 /// Velocity of an obstacle where a contact is. The spin of a ball brings nothing nearer.
@@ -86,18 +89,36 @@ Vec3 velocity_of_side_a(const ContactStep& step, const ContactPoint& contact) {
 /// Row = ComponentId; cracks that close within it left out.
 std::vector<Touch> strongest_touches(const ContactStep& step) {
   std::vector<Touch> touches(step.pass.state.components.size());
-  const auto see = [&](ComponentId id, const ContactPoint& contact, const Vec3& against) {
+  const auto see = [&](ComponentId id, const ContactPoint& contact, const Vec3& own,
+                       const Vec3& against) {
     Touch& touch = touches[id.index()];
     const double impulse = contact.impulse.norm();
-    if (impulse > touch.impulse) touch = {impulse, contact.normal, against};
+    if (!(impulse > touch.impulse)) return;
+    touch = {impulse, contact.normal, place_of_side_a(step.pass, contact), own, against};
   };
   for (const ContactPoint& contact : step.contacts) {
     const std::array<Component*, 2> sides = sides_of(step, contact);
     if (sides[0] == sides[1]) continue;
-    if (sides[0]) see(sides[0]->id, contact, velocity_of_side_b(step, contact));
-    if (sides[1]) see(sides[1]->id, contact, velocity_of_side_a(step, contact));
+    const Vec3 of_a = velocity_of_side_a(step, contact), of_b = velocity_of_side_b(step, contact);
+    if (sides[0]) see(sides[0]->id, contact, of_a, of_b);
+    if (sides[1]) see(sides[1]->id, contact, of_b, of_a);
   }
   return touches;
+}
+
+/// m/s: the velocity of a component at a place as one rigid body; `own` of a supported one.
+Vec3 rigid_velocity(const MechanicsState& state, const Component& component, const Touch& touch) {
+  if (component.supported) return touch.own;
+  const Vec3 spin = solve3(world_inertia(state, component), component.angular_momentum);
+  return component.momentum / component.mass + spin.cross(touch.place - component.centre);
+}
+
+/// m/s: the speed at which two surfaces meet, of their points or of the whole component. A foot
+/// that stands already is no measure of the body that comes after it.
+double meeting_speed(const MechanicsState& state, const Component& component, const Touch& touch) {
+  const Vec3 whole = rigid_velocity(state, component, touch);
+  return std::max(std::abs(touch.normal.dot(touch.own - touch.against)),
+                  std::abs(touch.normal.dot(whole - touch.against)));
 }
 
 }  // namespace
@@ -137,13 +158,7 @@ void feel_blows(ContactStep& step) {
   BlowJudge judge(step, step.contacts);
   for (const Component& component : state.components) {
     const Touch& touch = touches[component.id.index()];
-    if (touch.impulse == 0) continue;
-    double fastest = 0;
-    for (VertexId v : component.vertices) {
-      const Vec3 relative = state.vertices.velocity[v.index()] - touch.against;
-      fastest = std::max(fastest, std::abs(touch.normal.dot(relative)));
-    }
-    judge.strikes(component, fastest);
+    if (touch.impulse > 0) judge.strikes(component, meeting_speed(state, component, touch));
   }
 }
 

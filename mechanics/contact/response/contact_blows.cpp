@@ -135,7 +135,7 @@ void predict_touched(StepBlows& blows, const ContactPass& pass) {
     const bool split = takes_split_blow(pass, component);
     if (split && !component.supported) {
       free.push_back(component.id);
-      if (component.rigid || component.rung == Rung::carried) {
+      if (component.rigid || is_stiff(component.rung)) {
         for (VertexId v : component.vertices) force[v.index()].setZero();
         continue;
       }

@@ -45,7 +45,7 @@ FreeSlots free_slots(const ContactPass& pass, std::span<const VertexId> slots) {
 
 /// Whether the body responds by deforming, in floating_frame or modal.
 bool responds_elastically(const ContactPass& pass, const Component& component) {
-  return takes_split_blow(pass, component) && !component.rigid && component.rung != Rung::carried &&
+  return takes_split_blow(pass, component) && !component.rigid && !is_stiff(component.rung) &&
          (component.partly_held || pass.input.part.deformation != Deformation::frozen);
 }
 

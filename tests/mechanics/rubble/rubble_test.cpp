@@ -337,3 +337,32 @@ TEST_CASE("faces that were one meet each other and nothing else near them", "[ru
   }
   CHECK(see_overlaps(parts_of(with)).deepest < 1e-4);
 }
+
+TEST_CASE("a blow has the speed of the approach and the energy that stops it", "[rubble]") {
+  for (const double speed : {0.5, 3.0, 20.0}) {
+    RubbleScene scene;
+    RubbleBody ground, ball;
+    ball.mass = 2;
+    ball.radius = 0.1;
+    ball.inertia = 0.4 * ball.mass * 0.01 * Mat3::Identity();
+    ball.centre = {0, 0, 0.1 + 1e-3};
+    ball.momentum = ball.mass * Vec3(0.3, 0, -speed);
+    scene.bodies = {ground, ball};
+    RubbleShape floor, round;
+    floor.kind = RubbleShape::Kind::half_space;
+    round.kind = RubbleShape::Kind::ball;
+    round.body = 1;
+    round.key = 1;
+    round.radius = 0.1;
+    scene.shapes = {floor, round};
+    RubbleSettings settings;  // no gravity
+    settings.sleep_after = 0;
+    const RubbleReport first = run(scene, settings, 1);
+    CHECK(first.blow[1].speed == Approx(speed));
+    CHECK(first.blow[0].speed == Approx(speed));
+    CHECK(first.blow[1].energy == Approx(0.5 * ball.mass * speed * speed));
+    // The ball stands on the floor, or leaves it.
+    const RubbleReport second = run(scene, settings, 1);
+    CHECK(second.blow[1].speed < 1e-6 * speed);
+  }
+}

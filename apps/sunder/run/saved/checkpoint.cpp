@@ -60,7 +60,7 @@ constexpr auto member_names(const ImpactReport*) {
 constexpr auto member_names(const LadderReport*) { return names("components", "tetrahedra"); }
 constexpr auto member_names(const RubbleStepReport*) {
   return names("ticks", "awake", "asleep", "points", "deepest", "refused", "mixed", "solids",
-               "rigid", "declared", "declared_share");
+               "struck", "rigid", "declared", "declared_share");
 }
 constexpr auto member_names(const SolveReport*) {
   return names("sub_steps", "iterations", "force_evaluations", "not_converged");

@@ -17,7 +17,7 @@
 namespace sunder {
 
 /// Format of the files below; raised whenever their content besides the saved state changes.
-inline constexpr std::uint32_t checkpoint_format = 6;
+inline constexpr std::uint32_t checkpoint_format = 7;
 
 /// The record of a run so far.
 struct RunRecord {
