@@ -249,11 +249,9 @@ RubbleChoice choose_rubble(const Simulation& sim, const RubbleInput& input) {
   const Reach reach = reach_of(s, nodes, marked, gravity, tick);
   // Resting bodies are joined as well: a heap that sleeps is one island.
   const std::vector<char> all(nodes.count(), 1);
-  std::vector<RowPair> pairs;
   BoxScratch scratch;
-  find_box_pairs(pairs, scratch, {reach.boxes, reach.node, all});
   UnionFind joined(nodes.count());
-  for (const auto& [i, j] : pairs) joined.join(reach.node[i], reach.node[j]);
+  join_bodies(joined, scratch, {reach.boxes, reach.node, all});
 
   std::vector<Island> islands(nodes.count());
   std::vector<std::uint32_t> members;

@@ -188,9 +188,11 @@ void gather_near(std::vector<std::uint32_t>& near, const BoxScratch& scratch, st
   });
 }
 
-/// Adds the pairs of boxes of two bodies: a sweep along the longest side of their common box.
-void pair_bodies(std::vector<RowPair>& pairs, BoxScratch& scratch, const BoxQuery& query,
-                 const RowPair& bodies) {
+/// Calls `add` for the pairs of boxes of two bodies until it gives false: a sweep along the longest
+/// side of their common box.
+template <class Add>
+void pair_bodies(BoxScratch& scratch, const BoxQuery& query, const RowPair& bodies,
+                 const Add& add) {
   const Bounds &a = scratch.hull[bodies.first], &b = scratch.hull[bodies.second];
   int axis = 0;
   (a.high.cwiseMin(b.high) - a.low.cwiseMax(b.low)).maxCoeff(&axis);
@@ -203,19 +205,30 @@ void pair_bodies(std::vector<RowPair>& pairs, BoxScratch& scratch, const BoxQuer
     for (; from < others.size() && covered[others[from]].low[axis] <= covered[one].high[axis];
          ++from) {
       const std::uint32_t other = others[from];
-      if (covered[one].overlaps(covered[other]) && may_pair(query, one, other)) {
-        pairs.push_back(std::minmax(one, other));
+      if (covered[one].overlaps(covered[other]) && may_pair(query, one, other) &&
+          !add(one, other)) {
+        return false;
       }
     }
+    return true;
   };
   std::size_t i = 0, j = 0;
-  while (i < p.size() && j < q.size()) {
-    if (covered[p[i]].low[axis] <= covered[q[j]].low[axis]) {
-      sweep(p[i++], q, j);
-    } else {
-      sweep(q[j++], p, i);
-    }
+  for (bool goes_on = true; goes_on && i < p.size() && j < q.size();) {
+    const bool first = covered[p[i]].low[axis] <= covered[q[j]].low[axis];
+    goes_on = first ? sweep(p[i], q, j) : sweep(q[j], p, i);
+    ++(first ? i : j);
   }
+}
+
+/// Pairs of bodies whose boxes may meet, into `scratch.bodies`.
+void find_near_bodies(BoxScratch& scratch, const BoxQuery& query) {
+  scratch.covered.resize(query.boxes.size());
+  for (std::uint32_t k = 0; k < query.boxes.size(); ++k) scratch.covered[k] = swept(query, k);
+  gather_bodies(scratch, query);
+  find_overlaps(scratch.bodies, scratch, scratch.hull);
+  std::erase_if(scratch.bodies, [&](const RowPair& both) {
+    return !query.moves[both.first] && !query.moves[both.second];
+  });
 }
 
 }  // namespace
@@ -237,16 +250,25 @@ bool meet(const Bounds& a, const Bounds& b, const Vec3& way) {
 
 void find_box_pairs(std::vector<RowPair>& pairs, BoxScratch& scratch, const BoxQuery& query) {
   pairs.clear();
-  scratch.covered.resize(query.boxes.size());
-  for (std::uint32_t k = 0; k < query.boxes.size(); ++k) scratch.covered[k] = swept(query, k);
-  gather_bodies(scratch, query);
-  find_overlaps(scratch.bodies, scratch, scratch.hull);
+  find_near_bodies(scratch, query);
   for (const RowPair& both : scratch.bodies) {
-    if (query.moves[both.first] || query.moves[both.second]) {
-      pair_bodies(pairs, scratch, query, both);
-    }
+    pair_bodies(scratch, query, both, [&](std::uint32_t a, std::uint32_t b) {
+      pairs.push_back(std::minmax(a, b));
+      return true;
+    });
   }
   if (query.sorts) std::sort(pairs.begin(), pairs.end());
+}
+
+void join_bodies(UnionFind& joined, BoxScratch& scratch, const BoxQuery& query) {
+  find_near_bodies(scratch, query);
+  for (const RowPair& both : scratch.bodies) {
+    if (joined.root(both.first) == joined.root(both.second)) continue;
+    pair_bodies(scratch, query, both, [&](std::uint32_t, std::uint32_t) {
+      joined.join(both.first, both.second);
+      return false;
+    });
+  }
 }
 
 void find_box_pairs_brute_force(std::vector<RowPair>& pairs, const BoxQuery& query) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "mechanics/state/vec3.hpp"
+#include "topology/base/union_find.hpp"
 
 namespace sunder {
 
@@ -51,7 +52,11 @@ struct BoxScratch {
 /// two that are near, the boxes near the other are swept.
 void find_box_pairs(std::vector<RowPair>& pairs, BoxScratch& scratch, const BoxQuery& query);
 
-/// The same by comparing each with each: the slow twin for tests.
+/// Joins the bodies of which any boxes pair; `joined` has a row for each body. O(bodies + pairs of
+/// near bodies), less than all pairs of their boxes.
+void join_bodies(UnionFind& joined, BoxScratch& scratch, const BoxQuery& query);
+
+/// The pairs by comparing each with each: the slow twin for tests.
 void find_box_pairs_brute_force(std::vector<RowPair>& pairs, const BoxQuery& query);
 
 }  // namespace sunder

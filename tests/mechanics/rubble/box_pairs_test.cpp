@@ -39,6 +39,10 @@ TEST_CASE("the grid finds the pairs that comparing all finds", "[rubble]") {
       find_box_pairs(fast, scratch, query);
       find_box_pairs_brute_force(slow, query);
       REQUIRE(fast == slow);
+      UnionFind joined(moves.size()), all(moves.size());
+      join_bodies(joined, scratch, query);
+      for (const auto& [a, b] : slow) all.join(body[a], body[b]);
+      for (std::uint32_t k = 0; k < moves.size(); ++k) REQUIRE(joined.root(k) == all.root(k));
     }
   }
 }
