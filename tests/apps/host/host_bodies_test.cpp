@@ -163,8 +163,7 @@ TEST_CASE("a body with faults is refused, and nothing has changed", "[host][bodi
 TEST_CASE("hosts with an older struct of a scene or a change are served", "[host][bodies]") {
   const Engine engine = one_body();
   REQUIRE(engine);
-  Text body(
-      R"({"shape": {"box": {"size": [1, 1, 1], "cells": [2, 2, 2]}}, "translation": [0, 0, 9]})");
+  Text body(R"({"shape": {"box": {"size": [1, 1, 1]}, "cell": 0.5}, "translation": [0, 0, 9]})");
   body.scene.size = offsetof(sunder_scene, reserved);  // its first version, without meshes
   struct {
     sunder_body_change change;
