@@ -173,7 +173,7 @@ void fill_column(std::vector<unsigned char>& bytes, const Simulation& simulation
       return;
     case SUNDER_CONTACT:
     case SUNDER_CRACK_FRONT:
-      return fill_marks(column, *simulation.state, kind);
+      return fill_marks(column, simulation, kind);
     case SUNDER_FAN:
     case SUNDER_FAN_FACE:  // not of the state: fill_fans
     case SUNDER_COLUMNS:

@@ -1,42 +1,22 @@
 // SPDX-License-Identifier: MIT
 // Columns of what is drawn over the bodies: contacts, crack fronts, and the fans of a step.
 #include <limits>
-#include <variant>
 
 #include "apps/host/column.hpp"
 #include "apps/host/engine.hpp"
+#include "fracture/simulation/poses.hpp"
 #include "fracture/simulation/simulation_state.hpp"
-#include "mechanics/contact/shapes/obstacle_geometry.hpp"
 
 namespace sunder {
 namespace {
 
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
-/// m: where side A of a contact is.
-Vec3 place_of(const SimulationState& s, const ContactPoint& contact) {
-  const std::vector<Vec3>& position = s.mechanics.vertices.position;
-  if (!contact.vertex.is_none()) return position[contact.vertex.index()];
-  if (contact.is_body_a()) {
-    const auto corners = s.cells.map.corners(contact.tetrahedron_a);
-    Vec3 place = Vec3::Zero();
-    for (std::size_t i = 0; i < 4; ++i) {
-      place += contact.weights_a[i] * position[corners[i].index()];
-    }
-    return place;
-  }
-  const Shape& shape = s.obstacles[contact.ball].shape;
-  if (contact.corner != ContactPoint::none) return corner_at(shape, contact.corner);
-  const auto* ball = std::get_if<Sphere>(&shape);
-  return ball ? Vec3(ball->center - ball->radius * contact.normal) : Vec3(Vec3::Zero());
-}
-
-void add_contacts(Column& column, const SimulationState& s) {
-  for (const ContactMemory::Remembered& last : s.contact.last_contacts) {
-    if (last.contact.impulse.isZero(0)) continue;
-    column.add_floats(place_of(s, last.contact));
-    column.add_floats(last.step);
-    column.add_floats(last.contact.impulse);
+void add_contacts(Column& column, const Simulation& simulation) {
+  for (const ContactEvent& event : contact_events(simulation)) {
+    column.add_floats(event.place);
+    column.add_floats(event.duration);
+    column.add_floats(event.impulse);
     column.add_floats(0);
   }
 }
@@ -91,9 +71,9 @@ void add_fan_face(Column& column, const FaceSplit& face, std::size_t fan) {
 
 }  // namespace
 
-void fill_marks(Column& column, const SimulationState& state, sunder_column kind) {
-  if (kind == SUNDER_CONTACT) return add_contacts(column, state);
-  add_crack_fronts(column, state.cells);
+void fill_marks(Column& column, const Simulation& simulation, sunder_column kind) {
+  if (kind == SUNDER_CONTACT) return add_contacts(column, simulation);
+  add_crack_fronts(column, simulation.state->cells);
 }
 
 void fill_fans(std::vector<unsigned char>& bytes, std::span<const MadeFan> fans,

@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -18,12 +17,6 @@
 #include "fracture/simulation/simulation.hpp"
 
 namespace sunder {
-
-/// A spring from a vertex to a place in the world.
-struct Spring {
-  VertexId vertex;
-  Vec3 end = Vec3::Zero();  ///< m
-};
 
 /// A fan as it was made.
 struct MadeFan {
@@ -40,8 +33,6 @@ struct sunder_engine {
   sunder_report report{};
   std::string error;
   std::vector<sunder::Finding> findings;  ///< those of `error`
-  std::optional<sunder::Spring> spring;
-  std::size_t loads = 0;  ///< those of the scene; the spring's come after them
   bool failed = false;
   /// A change that began and did not end, as memory ran out: nothing can be read any more.
   bool torn = false;
@@ -70,7 +61,7 @@ void fill_column(std::vector<unsigned char>& bytes, const Simulation& simulation
 class Column;
 
 /// The part of that for contacts and crack fronts. O(|T|).
-void fill_marks(Column& column, const SimulationState& state, sunder_column kind);
+void fill_marks(Column& column, const Simulation& simulation, sunder_column kind);
 
 /// The same for SUNDER_FAN and SUNDER_FAN_FACE.
 void fill_fans(std::vector<unsigned char>& bytes, std::span<const MadeFan> fans,
@@ -78,18 +69,5 @@ void fill_fans(std::vector<unsigned char>& bytes, std::span<const MadeFan> fans,
 
 /// Stress, principal directions, threshold and fan of a vertex. Needs: vertex < |V|. O(|T|).
 void inspect_vertex(sunder_vertex& result, const Simulation& simulation, VertexId vertex);
-
-/// A free ball more. Errors: bad_action (radius or mass not above 0, a number that is none).
-std::optional<Finding> shoot(Simulation& simulation, const Sphere& ball, const Vec3& velocity,
-                             double mass);
-
-/// Parts every face between tetrahedra whose centres, where they are now, lie on different sides of
-/// the plane; what is tied (`CrackMode::cohesive`) is refused. Errors: bad_action, nothing_cut.
-Result<FanEvent> cut(Simulation& simulation, const Vec3& point, const Vec3& normal);
-
-/// The force of the spring on its vertex as loads behind the first `scene_loads`: critically
-/// damped, with a natural frequency of 5 Hz for the mass of the whole piece.
-void load_spring(Simulation& simulation, const std::optional<Spring>& spring,
-                 std::size_t scene_loads);
 
 }  // namespace sunder

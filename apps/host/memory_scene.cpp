@@ -6,6 +6,7 @@
 #include <cstring>
 #include <iterator>
 #include <map>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -151,21 +152,37 @@ SceneFiles readers_of(const MemoryFiles& files) {
           }};
 }
 
-}  // namespace
-
-Result<SceneFile> read_scene_in_memory(const sunder_scene& given) {
+/// Reads `given` by `read(bytes, files, settings)`.
+template <class T, class Read>
+Result<T> read_in_memory(const sunder_scene& given, const Read& read) {
   MemoryFiles files;
   sunder_scene scene;
   if (take(scene, &given, offsetof(sunder_scene, reserved), files, "sunder_scene")) {
     files = files_of(scene);
   }
   if (!files.findings.empty()) {
-    Result<SceneFile> refused;
+    Result<T> refused;
     refused.findings = std::move(files.findings);
     return refused;
   }
   const std::vector<std::string> settings(scene.settings, scene.settings + scene.setting_count);
-  return read_scene({{scene.text, scene.text_size}, scene.name}, readers_of(files), settings);
+  return read(SceneBytes{{scene.text, scene.text_size}, scene.name}, readers_of(files), settings);
+}
+
+}  // namespace
+
+Result<SceneFile> read_scene_in_memory(const sunder_scene& given) {
+  return read_in_memory<SceneFile>(given, [](const SceneBytes& scene, const SceneFiles& files,
+                                             std::span<const std::string> settings) {
+    return read_scene(scene, files, settings);
+  });
+}
+
+Result<BodySettings> read_body_in_memory(const sunder_scene& given) {
+  return read_in_memory<BodySettings>(given, [](const SceneBytes& body, const SceneFiles& files,
+                                                std::span<const std::string> settings) {
+    return read_body(body, files, settings);
+  });
 }
 
 }  // namespace sunder

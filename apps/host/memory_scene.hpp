@@ -12,4 +12,7 @@ namespace sunder {
 /// of `read_scene`, bad_size (a struct smaller than its first version), repeated_name.
 Result<SceneFile> read_scene_in_memory(const sunder_scene& scene);
 
+/// The same for one body (`read_body`).
+Result<BodySettings> read_body_in_memory(const sunder_scene& body);
+
 }  // namespace sunder

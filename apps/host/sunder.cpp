@@ -16,6 +16,8 @@
 #include "apps/host/memory_scene.hpp"
 #include "apps/scene/words.hpp"
 #include "fracture/saving/saved_state.hpp"
+#include "fracture/simulation/changes/actions.hpp"
+#include "fracture/simulation/changes/bodies.hpp"
 #include "fracture/simulation/simulation_state.hpp"
 #include "topology/base/fnv1a.hpp"
 
@@ -143,16 +145,9 @@ std::optional<Finding> do_action(sunder_engine& engine, const sunder_action& act
     case SUNDER_SHOOT:
       return shoot(engine.simulation, {point, action.radius}, vector, action.mass);
     case SUNDER_PULL:
-      if (action.vertex >= engine.simulation.state->mechanics.vertices.size() ||
-          !point.allFinite()) {
-        return Finding{.code = "bad_action",
-                       .text = "there is no such vertex, or its place is none",
-                       .remedy = "give a row of SUNDER_POSITION and a finite point"};
-      }
-      engine.spring = Spring{VertexId{action.vertex}, point};
-      return std::nullopt;
+      return pull(engine.simulation, VertexId{action.vertex}, point);
     case SUNDER_RELEASE:
-      engine.spring.reset();
+      release(engine.simulation);
       return std::nullopt;
     case SUNDER_CUT: {
       Result<FanEvent> made = cut(engine.simulation, point, vector);
@@ -168,13 +163,36 @@ std::optional<Finding> do_action(sunder_engine& engine, const sunder_action& act
   }
 }
 
+sunder_body_change change_of(const BodyChange& change) {
+  sunder_body_change result{};
+  result.body = static_cast<std::uint32_t>(change.body);
+  result.pieces = static_cast<std::uint32_t>(change.pieces.size());
+  result.first_piece = change.pieces.front().value;
+  result.mass = change.mass;
+  result.kinetic = change.kinetic;
+  result.strain = change.strain;
+  std::copy_n(change.momentum.data(), 3, result.momentum);
+  std::copy_n(change.momentum.data() + 3, 3, result.angular_momentum);
+  return result;
+}
+
+/// Notes that a body came (`sign` 1) or went (-1), or why not.
+int note_change(sunder_engine& engine, Result<BodyChange>&& made, int sign,
+                sunder_body_change* change) {
+  if (!made) return refuse(&engine, std::move(made.findings), SUNDER_REFUSED);
+  sunder_report& report = engine.report;
+  ++report.shape;
+  report.pieces += static_cast<std::uint32_t>(sign * static_cast<int>(made->pieces.size()));
+  give(change, change_of(*made));
+  return refuse(&engine, std::move(made.findings), SUNDER_OK);
+}
+
 }  // namespace
 
 std::unique_ptr<sunder_engine> sunder::make_engine(Simulation simulation) {
   auto engine = std::make_unique<sunder_engine>();
   engine->simulation = std::move(simulation);
   const Simulation& sim = engine->simulation;
-  engine->loads = sim.state->loads.size();
   sunder_report& r = engine->report;
   r.step = sim.state->step;
   r.time = simulated_time(sim);
@@ -208,7 +226,6 @@ int sunder_step(sunder_engine* engine, sunder_report* report) {
   if (!engine->failed) {
     engine->report.outcome = 1;
     engine->failed = changed(engine, [engine] {
-                       load_spring(engine->simulation, engine->spring, engine->loads);
                        StepReport step = advance(engine->simulation);
                        note_step(engine->report, step);
                        keep_fans(*engine, step);
@@ -276,10 +293,28 @@ int sunder_act(sunder_engine* engine, const sunder_action* action) {
   });
 }
 
+int sunder_add_body(sunder_engine* engine, const sunder_scene* body, sunder_body_change* change) {
+  return changed(engine, [=] {
+    Result<BodySettings> settings = read_body_in_memory(*body);
+    if (!settings) return refuse(engine, std::move(settings.findings), SUNDER_REFUSED);
+    return note_change(*engine, add_body(engine->simulation, std::move(*settings)), 1, change);
+  });
+}
+
+int sunder_remove_body(sunder_engine* engine, uint32_t body, sunder_body_change* change) {
+  return changed(engine, [=] {
+    Result<BodyChange> made = remove_body(engine->simulation, body);
+    if (made) {
+      engine->fans.clear();  // of rows as they were
+      engine->cuts.clear();
+    }
+    return note_change(*engine, std::move(made), -1, change);
+  });
+}
+
 void sunder_save(sunder_engine* engine, sunder_span* span) {
   *span = {nullptr, 0};
   done(engine, [=] {
-    load_spring(engine->simulation, std::nullopt, engine->loads);
     engine->saved = saved_state(engine->simulation);
     *span = {engine->saved.data(), engine->saved.size()};
     return 0;

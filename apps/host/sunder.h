@@ -113,8 +113,8 @@ typedef struct sunder_report {
   double cracks;       /**< J, work on ties over the step */
 } sunder_report;
 
-/** Columns of the state. Rows of vertices, tetrahedra and pieces are never renumbered, and a split
-    appends rows. Former pieces have no faces. */
+/** Columns of the state. A split appends rows and renumbers none. Former pieces have no faces. Rows
+    of vertices and tetrahedra change in sunder_remove_body alone. */
 typedef enum sunder_column {
   SUNDER_POSITION = 0, /**< float 3 per vertex: present position, m */
   SUNDER_REST = 1,     /**< float 3 per vertex: position in the body's mesh, m */
@@ -192,6 +192,19 @@ typedef struct sunder_action {
   double mass;
 } sunder_action;
 
+/** A body that came or went, with all of its pieces, and its share of the sums of all bodies. */
+typedef struct sunder_body_change {
+  uint32_t size;              /**< sizeof(sunder_body_change), set by the caller */
+  uint32_t body;              /**< its row, as in SUNDER_BODY */
+  uint32_t pieces;            /**< number of its pieces */
+  uint32_t first_piece;       /**< the lowest row of these */
+  double mass;                /**< kg */
+  double kinetic;             /**< J */
+  double strain;              /**< J */
+  double momentum[3];         /**< kg m/s */
+  double angular_momentum[3]; /**< kg m^2/s, about the origin */
+} sunder_body_change;
+
 /** A vertex as the fracture search sees it. */
 typedef struct sunder_vertex {
   uint32_t size; /**< sizeof(sunder_vertex), set by the caller */
@@ -241,6 +254,18 @@ SUNDER_API int sunder_inspect(sunder_engine* engine, uint32_t vertex, sunder_ver
 
 /** Carries out an action. Returns a sunder_result. */
 SUNDER_API int sunder_act(sunder_engine* engine, const sunder_action* action);
+
+/** Adds a body between two steps. `body` is as in sunder_create, but its text is that of one body:
+    {"mesh": "bar", "material": ...}. Places in findings and settings begin with "bodies.0". Rows of
+    the body follow those that are there. `change` may be null. Returns a sunder_result. After
+    SUNDER_OK the findings are warnings. */
+SUNDER_API int sunder_add_body(sunder_engine* engine, const sunder_scene* body,
+                               sunder_body_change* change);
+
+/** Removes the body of that row with all of its pieces. Rows of pieces and bodies stay, and rows of
+    vertices and tetrahedra close up. SUNDER_FAN is empty until the next step. `change` may be null.
+    Returns a sunder_result. */
+SUNDER_API int sunder_remove_body(sunder_engine* engine, uint32_t body, sunder_body_change* change);
 
 /** Gives the whole simulation as bytes (docs/lab/saved_state.md), without the spring of a pull. The
     bytes are null if memory ran out. */

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Columns of a simulation as arrays. A split moves columns in memory, so that no view could stay
-// valid: all arrays are copies.
+// Columns of a simulation as arrays: copies, since a split moves columns in memory, and views that
+// forbid every change as long as they live.
 #include "fracture/simulation/rows.hpp"
 
+#include <memory>
 #include <string>
+#include <utility>
 
 #include "apps/host/engine.hpp"
 #include "apps/python/arrays.hpp"
@@ -45,9 +47,55 @@ py::array_t<T> column(const Simulation& s, sunder_column kind, std::size_t width
   return copied<T>(std::span<const T>(numbers, bytes.size() / sizeof(T)), width);
 }
 
+/// Keeps a simulation alive and unchanged.
+struct Lease {
+  py::object owner;
+  const Stepped& sim;
+
+  explicit Lease(py::object held) : owner(std::move(held)), sim(owner.cast<const Stepped&>()) {
+    ++sim.views;
+  }
+  ~Lease() { --sim.views; }
+  Lease(const Lease&) = delete;
+  Lease& operator=(const Lease&) = delete;
+};
+
+/// A column, with the lease as its owner. Throws IndexError for other names.
+py::array column_view(const Simulation& s, const std::string& name, py::handle lease) {
+  const SimulationRows rows = rows_of(s);
+  if (name == "positions") return view<double>(rows.position, 3, lease);
+  if (name == "rest_positions") return view<double>(rows.rest_position, 3, lease);
+  if (name == "velocities") return view<double>(rows.velocity, 3, lease);
+  if (name == "masses") return view<double>(rows.mass, 0, lease);
+  if (name == "strengths") return view<double>(rows.strength, 0, lease);
+  if (name == "tetrahedra") return view<std::uint32_t>(map_of(s).corners(), 4, lease);
+  throw py::index_error("no column is called " + name +
+                        ": positions, rest_positions, velocities, masses, strengths, tetrahedra");
+}
+
+py::array leased_view(const py::object& self, const std::string& name) {
+  const auto& sim = self.cast<const Stepped&>();
+  const InUse use(sim.in_use);
+  auto lease = std::make_unique<Lease>(self);
+  const py::capsule owner(lease.get(), [](void* held) { delete static_cast<Lease*>(held); });
+  lease.release();
+  return column_view(sim.simulation, name, owner);
+}
+
 }  // namespace
 
+void refuse_where_viewed(const Stepped& sim) {
+  if (sim.views == 0) return;
+  throw py::buffer_error(
+      "views of this simulation are alive, and a change could move its columns: delete them first, "
+      "or take the copies, such as `positions`");
+}
+
 void bind_rows(Type& type) {
+  type.def("view", &leased_view, py::arg("name"),
+           "A column without a copy: positions, rest_positions, velocities, masses, strengths or "
+           "tetrahedra, with shapes as the properties. It cannot be written to. While it, or an "
+           "array over it, is alive, each change of the simulation raises BufferError.");
   add(type, "positions", "float64 (n, 3), m, world. A copy.",
       [](const Simulation& s) { return array_of(rows_of(s).position); });
   add(type, "rest_positions", "float64 (n, 3), m, in the bodies' meshes. A copy.",

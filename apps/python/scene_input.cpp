@@ -7,28 +7,37 @@
 
 namespace sunder::python {
 
+namespace {
+
+SceneFiles files_of(const SceneInput& input) {
+  SceneFiles files = files_in(input.folder);
+  const auto read_mesh_file = files.mesh;
+  const auto read_surface = files.surface;
+  files.mesh = [&input, read_mesh_file](const std::string& name) {
+    const auto found = input.meshes.find(name);
+    if (found == input.meshes.end()) return read_mesh_file(name);
+    return Result<TetMesh>(tet_mesh_of(FileMesh(found->second->mesh)));
+  };
+  files.surface = [&input, read_surface](const std::string& name) {
+    const auto found = input.meshes.find(name);
+    if (found == input.meshes.end()) return read_surface(name);
+    return Result<FileMesh>(found->second->mesh);
+  };
+  return files;
+}
+
+}  // namespace
+
 SceneFile read_input(const SceneInput& input, std::vector<Finding>& findings) {
-  Result<SceneFile> file;
-  if (input.text.empty()) {
-    file = read_scene(input.path, input.settings);
-  } else {
-    SceneFiles files = files_in(input.folder);
-    const auto read_mesh_file = files.mesh;
-    const auto read_surface = files.surface;
-    files.mesh = [&](const std::string& name) {
-      const auto found = input.meshes.find(name);
-      if (found == input.meshes.end()) return read_mesh_file(name);
-      return Result<TetMesh>(tet_mesh_of(FileMesh(found->second->mesh)));
-    };
-    files.surface = [&](const std::string& name) {
-      const auto found = input.meshes.find(name);
-      if (found == input.meshes.end()) return read_surface(name);
-      return Result<FileMesh>(found->second->mesh);
-    };
-    file = read_scene({input.text, "scene"}, files, input.settings);
-  }
+  Result<SceneFile> file = input.text.empty()
+                               ? read_scene(input.path, input.settings)
+                               : read_scene({input.text, "scene"}, files_of(input), input.settings);
   findings.insert(findings.end(), file.findings.begin(), file.findings.end());
   return value_of(std::move(file));
+}
+
+BodySettings read_body_input(const SceneInput& input) {
+  return value_of(read_body({input.text, "body"}, files_of(input), input.settings));
 }
 
 }  // namespace sunder::python

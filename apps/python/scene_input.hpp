@@ -27,4 +27,7 @@ struct SceneInput {
 /// Reads it. `findings` gets warnings and notes. Throws Refused.
 SceneFile read_input(const SceneInput& input, std::vector<Finding>& findings);
 
+/// Reads one body, given as the text of a scene's entry. Throws Refused.
+BodySettings read_body_input(const SceneInput& input);
+
 }  // namespace sunder::python

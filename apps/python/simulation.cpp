@@ -5,7 +5,6 @@
 
 #include <memory>
 
-#include "apps/host/engine.hpp"
 #include "apps/output/fragment.hpp"
 #include "apps/python/arrays.hpp"
 #include "apps/python/bindings.hpp"
@@ -13,6 +12,8 @@
 #include "apps/python/stepped.hpp"
 #include "apps/scene/scene_hash.hpp"
 #include "fracture/saving/saved_state.hpp"
+#include "fracture/simulation/changes/actions.hpp"
+#include "fracture/simulation/changes/bodies.hpp"
 #include "fracture/simulation/rows.hpp"
 #include "topology/base/fnv1a.hpp"
 
@@ -73,6 +74,80 @@ py::dict surface(const Stepped& sim, std::int64_t id) {
   return result;
 }
 
+/// The history begins again after a change of obstacles or bodies, whose columns it has.
+void begin_again(Stepped& sim) {
+  sim.history = begin_history(sim.simulation);
+  sim.acted = true;
+}
+
+BodyChange changed(Stepped& sim, Result<BodyChange>&& change) {
+  BodyChange made = value_of(std::move(change));
+  begin_again(sim);
+  return made;
+}
+
+void bind_bodies(py::module_& module, py::class_<Stepped>& type) {
+  py::class_<BodyChange>(module, "BodyChange", "A body that came or went, with all of its pieces.")
+      .def_readonly("body", &BodyChange::body, "Its row.")
+      .def_property_readonly(
+          "pieces", [](const BodyChange& c) { return ids<ComponentId>(c.pieces); },
+          "int64 (k,): ids of its pieces.")
+      .def_readonly("mass", &BodyChange::mass, "kg.")
+      .def_readonly("kinetic", &BodyChange::kinetic, "J.")
+      .def_readonly("strain", &BodyChange::strain, "J.")
+      .def_property_readonly(
+          "momentum", [](const BodyChange& c) { return array_of(Vec3(c.momentum.head<3>())); },
+          "(3,), kg m/s.")
+      .def_property_readonly(
+          "angular_momentum",
+          [](const BodyChange& c) { return array_of(Vec3(c.momentum.tail<3>())); },
+          "(3,), kg m^2/s, about the origin.");
+  type.def(
+          "_add",
+          [](Stepped& sim, const SceneInput& body) {
+            refuse_where_recorded(sim);
+            refuse_where_viewed(sim);
+            return alone(sim, [&] {
+              Result<BodyChange> change = add_body(sim.simulation, read_body_input(body));
+              for (const Finding& f : change.findings) sim.findings.push_back(f);
+              return changed(sim, std::move(change));
+            });
+          },
+          py::arg("body"))
+      .def(
+          "remove",
+          [](Stepped& sim, std::size_t body) {
+            refuse_where_recorded(sim);
+            refuse_where_viewed(sim);
+            return alone(sim, [&] { return changed(sim, remove_body(sim.simulation, body)); });
+          },
+          py::arg("body"),
+          "Removes the body of this row with all of its pieces. Ids of other pieces and rows of "
+          "other bodies stay, rows of vertices and tetrahedra close up. The history begins again. "
+          "Returns a BodyChange. Raises Error.");
+}
+
+void bind_pull(py::class_<Stepped>& type) {
+  type.def(
+          "pull",
+          [](Stepped& sim, std::size_t vertex, const std::array<double, 3>& end) {
+            const InUse use(sim.in_use);
+            refuse_where_recorded(sim);
+            if (auto fault = pull(sim.simulation, VertexId{vertex}, vec3(end))) {
+              throw Refused{{*fault}};
+            }
+          },
+          py::arg("vertex"), py::arg("end"),
+          "Pulls a vertex to `end`, m, by a damped spring, until `release`. It is not saved.")
+      .def(
+          "release",
+          [](Stepped& sim) {
+            const InUse use(sim.in_use);
+            release(sim.simulation);
+          },
+          "Ends a pull.");
+}
+
 void bind_actions(py::class_<Stepped>& type) {
   type.def(
           "shoot",
@@ -82,7 +157,7 @@ void bind_actions(py::class_<Stepped>& type) {
             refuse_where_recorded(sim);
             const auto fault = shoot(sim.simulation, {vec3(point), radius}, vec3(velocity), mass);
             if (fault) throw Refused{{*fault}};
-            sim.history = begin_history(sim.simulation);
+            begin_again(sim);
           },
           py::arg("point"), py::arg("velocity"), py::kw_only(), py::arg("radius"), py::arg("mass"),
           "Adds a free ball: point in m, velocity in m/s, radius in m, mass in kg. The history "
@@ -92,8 +167,12 @@ void bind_actions(py::class_<Stepped>& type) {
           [](Stepped& sim, const std::array<double, 3>& point,
              const std::array<double, 3>& normal) {
             refuse_where_recorded(sim);
-            return alone(sim,
-                         [&] { return value_of(cut(sim.simulation, vec3(point), vec3(normal))); });
+            refuse_where_viewed(sim);
+            return alone(sim, [&] {
+              FanEvent event = value_of(cut(sim.simulation, vec3(point), vec3(normal)));
+              sim.acted = true;
+              return event;
+            });
           },
           py::arg("point"), py::arg("normal"),
           "Parts all pieces along faces near the plane through a point, m. Returns a Fan.");
@@ -117,7 +196,11 @@ void bind_states(py::class_<Stepped>& type) {
 
 void bind_steps(py::class_<Stepped>& type) {
   type.def(
-          "step", [](Stepped& sim) { return alone(sim, [&] { return step(sim); }); },
+          "step",
+          [](Stepped& sim) {
+            refuse_where_viewed(sim);
+            return alone(sim, [&] { return step(sim); });
+          },
           "Takes one step and returns its StepReport. Other threads of Python run meanwhile. "
           "Raises Error where the step fails.")
       .def(
@@ -187,6 +270,8 @@ void bind_simulation(py::module_& module) {
   bind_states(type);
   bind_rows(type);
   bind_actions(type);
+  bind_pull(type);
+  bind_bodies(module, type);
   type.def(
           "fragments",
           [](const Stepped& sim) { return alone(sim, [&] { return fragments(sim.simulation); }); },

@@ -64,8 +64,8 @@ void open_run(Stepped& sim, const std::filesystem::path& folder, bool may_replac
     refuse("no_scene_file", "a simulation of a saved state has no settings for the files of a run",
            "run it without a folder, or resume with `sunder run --resume`");
   }
-  if (steps_taken(sim.simulation) != 0) {
-    refuse("run_has_begun", "the files of a run begin with step 0",
+  if (steps_taken(sim.simulation) != 0 || sim.acted) {
+    refuse("run_has_begun", "the files of a run begin with step 0 of its scene",
            "make the simulation again and give the folder to its first run");
   }
   sim.lock = value_of(FolderLock::take(folder));

@@ -33,7 +33,9 @@ struct Stepped {
   std::optional<FolderLock> lock;
   std::optional<Recorder> recorder;
   bool failed = false;
+  bool acted = false;  ///< it is no longer that of its scene alone
   mutable std::atomic<bool> in_use = false;
+  mutable std::atomic<int> views = 0;  ///< arrays over its columns that are alive
 };
 
 /// One step with everything that follows from it. Throws Refused where it fails; the simulation
@@ -47,7 +49,10 @@ std::vector<Finding> finish_run(Stepped& sim, RunEnd end);
 /// history.csv up to now.
 std::string history_text(const Stepped& sim);
 
-/// Arrays of the present state. Each is a copy.
+/// Throws BufferError while arrays over the columns are alive, because a change could move these.
+void refuse_where_viewed(const Stepped& sim);
+
+/// Arrays of the present state: copies, and views that hold the simulation still.
 void bind_rows(pybind11::class_<Stepped>& type);
 
 }  // namespace sunder::python

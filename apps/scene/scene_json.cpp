@@ -217,17 +217,23 @@ void add_findings(const Context& c, std::vector<SettingFinding> found) {
   }
 }
 
+Result<SceneText> text_with(const SceneBytes& scene, std::span<const std::string> settings) {
+  Result<SceneText> text = parse_scene_text(scene.text, scene.name);
+  if (!text) return text;
+  reading::write_names_out(*text);  // so that a setting changes a key of a named material
+  for (const std::string& setting : settings) {
+    for (Finding& f : apply_setting(*text, setting)) text.findings.push_back(std::move(f));
+  }
+  reading::write_names_out(*text);
+  return text;
+}
+
 Result<SceneFile> read_whole(const SceneBytes& scene, const SceneFiles& files,
                              std::span<const std::string> settings) {
-  Result<SceneText> text = parse_scene_text(scene.text, scene.name);
+  Result<SceneText> text = text_with(scene, settings);
   Result<SceneFile> result;
   result.findings = std::move(text.findings);
   if (!text) return result;
-  reading::write_names_out(*text);  // so that a setting changes a key of a named material
-  for (const std::string& setting : settings) {
-    for (Finding& f : apply_setting(*text, setting)) result.findings.push_back(std::move(f));
-  }
-  reading::write_names_out(*text);
   const Context context{*text, files, result.findings};
   if (!text->root.is_object()) {
     context.wrong_type(text->root, "", "an object {...}");
@@ -250,7 +256,39 @@ Result<SceneFile> read_whole(const SceneBytes& scene, const SceneFiles& files,
   return result;
 }
 
+Result<BodySettings> read_one_body(const SceneBytes& body, const SceneFiles& files,
+                                   std::span<const std::string> settings) {
+  const std::string scene = fmt::format("{{\"bodies\": [{}]}}", body.text);
+  Result<SceneText> text = text_with({scene, body.name}, settings);
+  Result<BodySettings> result;
+  result.findings = std::move(text.findings);
+  if (!text) return result;
+  const json& root = text->root;
+  if (root.size() != 1 || root["bodies"].size() != 1) {
+    result.findings.push_back({.code = "not_one_body",
+                               .text = "it is more or less than one body",
+                               .remedy = "give one object {...}, as in \"bodies\" of a scene",
+                               .file = body.name});
+    return result;
+  }
+  const Context context{*text, files, result.findings};
+  Scene alone;
+  ObjectReader reader(context, root, "");
+  reader.field(Key{"bodies", "", "", {}, true}, alone.bodies);
+  reader.finish();
+  for (Finding& f : paint_strengths(alone, *text, files)) result.findings.push_back(std::move(f));
+  if (!has_error(result.findings)) result.value = std::move(alone.bodies.front());
+  return result;
+}
+
 }  // namespace
+
+Result<BodySettings> read_body(const SceneBytes& body, const SceneFiles& files,
+                               std::span<const std::string> settings) {
+  Result<BodySettings> result = read_one_body(body, files, settings);
+  make_plain(result.findings);
+  return result;
+}
 
 Result<SceneFile> read_scene(const SceneBytes& scene, const SceneFiles& files,
                              std::span<const std::string> settings) {

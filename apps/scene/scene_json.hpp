@@ -70,4 +70,10 @@ struct SceneBytes {
 Result<SceneFile> read_scene(const SceneBytes& scene, const SceneFiles& files,
                              std::span<const std::string> settings = {});
 
+/// Reads one body for `add_body`, an object as in "bodies" of a scene; `name` stands in the
+/// findings. `settings` begin with "bodies.0.". Errors: those of `read_scene` about a body, except
+/// those of `check_scene`, which `add_body` finds; not_one_body.
+Result<BodySettings> read_body(const SceneBytes& body, const SceneFiles& files,
+                               std::span<const std::string> settings = {});
+
 }  // namespace sunder

@@ -7,6 +7,7 @@
 #include "fracture/breaking/break.hpp"
 #include "fracture/breaking/fan_clock.hpp"
 #include "fracture/simulation/attempt.hpp"
+#include "fracture/simulation/changes/spring_load.hpp"
 #include "fracture/simulation/ladder.hpp"
 #include "fracture/simulation/ledger/energy_ledger.hpp"
 #include "fracture/simulation/ledger/force_report.hpp"
@@ -279,6 +280,7 @@ StepReport finish_step(StepWork& step) {
 }  // namespace
 
 StepReport advance(Simulation& sim, const StepObserver& observe) {
+  const SpringLoad spring(sim);
   StepWork step = begin_step(sim, observe);
   while (const std::optional<PlannedPart> part = next_part(step.plan, sim.scene, *sim.state)) {
     step.plan.hurried = sim.hurry && *sim.hurry;

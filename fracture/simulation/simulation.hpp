@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "fracture/scene/scene.hpp"
@@ -19,6 +20,12 @@ namespace sunder {
 struct PartReport;
 struct SimulationScratch;
 struct SimulationState;
+
+/// A spring from a vertex to a place in the world (`pull`).
+struct Spring {
+  VertexId vertex;
+  Vec3 end = Vec3::Zero();  ///< m
+};
 
 /// A scene with its state. The scene's settings do not change during the run. A moved-from
 /// simulation can be destroyed or assigned to. Any other use of it throws Misuse.
@@ -38,6 +45,8 @@ struct Simulation {
   const std::atomic<bool>* hurry = nullptr;
   /// True: each step fills `StepReport::forces`. It may change between steps.
   bool reports_forces = false;
+  /// Pulls in every step, while there is one. It is not saved.
+  std::optional<Spring> spring;
   /// The evolving state. Internal: its type is not part of the public headers.
   Owned<SimulationState> state;
   /// Working memory, replaceable by an empty one between any two steps. Internal.

@@ -24,7 +24,8 @@ struct CornerLoad {
   /// Turns with the frame of the corner's component (pressure); else it keeps its direction.
   bool turns = false;
   double ramp_time = 0;  ///< s over which it is raised linearly; 0: at once
-  /// Its load of the scene: row of `BodySettings::loads`, body by body.
+  static constexpr std::uint32_t no_load = 0xffffffffU;
+  /// Its load of the scene: row of `BodySettings::loads`, body by body; or `no_load`.
   std::uint32_t load = 0;
 };
 

@@ -32,12 +32,14 @@ struct Source {
   const char* in_archive;
   bool executable = false;
 };
-constexpr std::array<Source, 6> sources = {{
+constexpr std::array<Source, 8> sources = {{
     {"apps/bench/suite/export/README.md", "README.md"},
     {"docs/reference/suite.md", "suite.md"},
     {"LICENSE", "LICENSE"},
     {"apps/bench/suite/export/judge.py", "judge.py", true},
     {"tests/topology/suite/adapters/minimal.py", "minimal.py", true},
+    {"tests/topology/suite/adapters/minimal.cpp", "minimal.cpp"},
+    {"tests/topology/suite/adapters/serve.hpp", "serve.hpp"},
     {"meshes/suite/fixture.schema.json", "fixtures/fixture.schema.json"},
 }};
 

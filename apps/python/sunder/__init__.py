@@ -6,8 +6,8 @@ All lengths are in m, masses in kg, times in s, stresses in Pa. Errors are `sund
 """
 
 from ._api import Simulation, modes, split, static
-from ._sunder import (Check, Error, FaceSplit, Fan, Finding, Fragment, Map, Mesh, StepReport,
+from ._sunder import (BodyChange, Check, Error, FaceSplit, Fan, Finding, Fragment, Map, Mesh, StepReport,
                       __version__, ball, box, check, convert, cylinder, read, write)
 
-__all__ = ["Check", "Error", "FaceSplit", "Fan", "Finding", "Fragment", "Map", "Mesh", "Simulation",
+__all__ = ["BodyChange", "Check", "Error", "FaceSplit", "Fan", "Finding", "Fragment", "Map", "Mesh", "Simulation",
            "StepReport", "ball", "box", "check", "convert", "cylinder", "modes", "read", "split", "static", "write"]

@@ -10,6 +10,23 @@ import numpy
 from . import _sunder
 
 
+def _without_meshes(row, named, name):
+    """A body or obstacle with the name of its mesh in place of the mesh."""
+    if not isinstance(row, dict) or not isinstance(row.get("mesh"), _sunder.Mesh):
+        return row
+    named[name] = row["mesh"]
+    return {**row, "mesh": name}
+
+
+def _body_input(body, meshes, folder):
+    given = _sunder.SceneInput()
+    named = dict(meshes or {})
+    given.text = json.dumps(_without_meshes(body, named, "mesh of the body"), default=_plain)
+    given.folder = os.fspath(folder or ".")
+    given.meshes = named
+    return given
+
+
 def _scene_input(scene, meshes, settings, folder):
     """What the compiled part reads. Meshes that stand in the scene get names of their own."""
     given = _sunder.SceneInput()
@@ -20,15 +37,9 @@ def _scene_input(scene, meshes, settings, folder):
     if isinstance(scene, dict):
         scene = copy.copy(scene)
         for key in ("bodies", "obstacles"):
-            rows = []
-            for row in scene.get(key, ()):
-                if isinstance(row, dict) and isinstance(row.get("mesh"), _sunder.Mesh):
-                    name = f"mesh of {key}.{len(rows)}"
-                    named[name] = row["mesh"]
-                    row = {**row, "mesh": name}
-                rows.append(row)
             if key in scene:
-                scene[key] = rows
+                scene[key] = [_without_meshes(row, named, f"mesh of {key}.{k}")
+                              for k, row in enumerate(scene[key])]
         given.text = json.dumps(scene, default=_plain)
         given.folder = os.fspath(folder or ".")
     else:
@@ -53,7 +64,8 @@ class Simulation(_sunder.SimulationBase):
     name of a file in `folder`, a key of `meshes`, or a Mesh. `settings` changes keys:
     {"bodies.0.material.density": 2000}. Raises Error.
 
-    Arrays of the state are copies: a split moves the columns in memory, so no view could stay valid.
+    Arrays of the state are copies, because a split moves the columns in memory. `view` gives a column
+    without a copy, and nothing can change while such a view is alive.
     One thread at a time may use a simulation; RuntimeError is raised in any other.
     """
 
@@ -80,6 +92,15 @@ class Simulation(_sunder.SimulationBase):
         finally:
             if folder is not None:
                 self._finish_run(failed)
+
+    def add(self, body, *, meshes=None, folder=None):
+        """Adds a body, a dictionary as in "bodies" of a scene, where it says, between two steps.
+
+        `meshes` and `folder` are those of `Simulation`. Its rows follow those that are there. The
+        history begins again. Returns a BodyChange; `findings` gets the warnings. Raises Error, and
+        nothing has changed.
+        """
+        return self._add(_body_input(body, meshes, folder))
 
     @classmethod
     def load(cls, path):

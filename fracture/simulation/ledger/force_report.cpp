@@ -154,6 +154,7 @@ void add_contacts(ForceReport& forces, const ContactStepResult& result) {
 void add_loads(ForceReport& forces, const AdoptedPart& part, double end) {
   const MechanicsState& m = part.state.mechanics;
   for (const CornerLoad& load : part.state.loads) {
+    if (load.load == CornerLoad::no_load) continue;
     const ComponentId id = m.elements.component[tetrahedron_of(load.corner).index()];
     const bool is_carried = m.components[id.index()].rung == Rung::carried;
     if (!part.input.members.has(id) || is_carried) continue;

@@ -67,7 +67,7 @@ class Archive(unittest.TestCase):
         sums = dict(reversed(line.split("  ")) for line in lines)
         there = {str(p.relative_to(self.suite)) for p in self.suite.rglob("*") if p.is_file()}
         self.assertEqual(there, {*sums, "SHA256SUMS"})
-        self.assertLess({"README.md", "suite.md", "LICENSE", "judge.py", "minimal.py",
+        self.assertLess({"README.md", "suite.md", "LICENSE", "judge.py", "minimal.py", "minimal.cpp", "serve.hpp",
                          "fixtures/fixture.schema.json"}, there)
         for name, digest in sums.items():
             self.assertEqual(hashlib.sha256((self.suite / name).read_bytes()).hexdigest(), digest)
@@ -87,6 +87,32 @@ class Archive(unittest.TestCase):
         self.assertEqual((suite.get("tests"), suite.get("failures"), suite.get("errors")),
                          (str(fixtures), "0", "0"))
         self.assertEqual(len(suite.findall("testcase")), fixtures)
+
+    def compiled(self, old="", new=""):
+        """minimal.cpp as a program, with one text in it exchanged for another."""
+        text = (self.suite / "minimal.cpp").read_text()
+        self.assertIn(old, text)
+        source, program = self.suite / "changed.cpp", self.folder / "changed"
+        source.write_text(text.replace(old, new))
+        done = run([os.environ.get("CXX", "c++"), "-std=c++17", "-O2", "-Wall", "-Wextra", source, "-o", program])
+        source.unlink()
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        return f"exec {program}"
+
+    @unittest.skipUnless(shutil.which(os.environ.get("CXX", "c++")), "no compiler of C++ is installed")
+    def test_the_kernel_in_cpp_passes_and_a_broken_one_does_not(self):
+        done = self.judge(self.compiled(), "[01]*")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertIn(" 0 mismatches", done.stdout)
+        lies = {("parted.edges.push_back({a, b});", "{}"): "split edges of face",
+                ("parted.separated = !meet(here, there, {});", ""): "separation by face",
+                ('return "a face of three tetrahedra"', 'return ""'): "loading",
+                ("sheets.size()}", "sheets.size() + 1}"): "boundary sheets: expected"}
+        for (old, new), text in lies.items():
+            with self.subTest(lie=old):
+                done = self.judge(self.compiled(old, new), "[01]*", "--fail-fast")
+                self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
+                self.assertIn(text, done.stdout)
 
     def test_wrong_answers_are_told_with_the_fixture_and_the_step(self):
         lies = {

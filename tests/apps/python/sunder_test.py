@@ -6,6 +6,7 @@ Meshes, maps, simulations, errors, and the same bytes as the program. MODULE_FOL
 
 import gc
 import json
+import os
 import pathlib
 import subprocess
 import sys
@@ -245,6 +246,47 @@ class Simulations(unittest.TestCase):
         gc.collect()
         numpy.testing.assert_array_equal(before, kept)
 
+    def test_a_view_holds_the_simulation_still(self):
+        sim = sunder.Simulation(MONOLITH, settings={"duration": 0.1})
+        for name in ("positions", "rest_positions", "velocities", "masses", "strengths", "tetrahedra"):
+            one, other = sim.view(name), sim.view(name)
+            self.assertTrue(numpy.shares_memory(one, other), name)
+            numpy.testing.assert_array_equal(one, getattr(sim, name))
+            with self.assertRaises(ValueError):
+                one[0] = 1
+        del one, other
+        part = sim.view("positions")[3:, 2]
+        before = part.copy()
+        for act in (sim.step, lambda: sim.cut((0, 0, 0), (0, 0, 1)), lambda: sim.remove(0), lambda: sim.add({}),
+                    lambda: next(sim.run())):
+            with self.assertRaises(BufferError):
+                act()
+        numpy.testing.assert_array_equal(part, before)
+        state = sim.hash  # reading is allowed
+        del part
+        sim.step()
+        self.assertNotEqual(sim.hash, state)
+        with self.assertRaises(IndexError):
+            sim.view("nothing")
+        sim.step()
+        masses, expected = sim.view("masses"), sim.masses.sum()
+        del sim
+        self.assertEqual(masses.sum(), expected)
+
+    def test_a_million_points_come_and_go_with_one_copy_each(self):
+        def resident():
+            words = pathlib.Path("/proc/self/statm").read_text().split()
+            return int(words[1]) * os.sysconf("SC_PAGE_SIZE")
+
+        points = numpy.random.default_rng(1).random((1_000_000, 3))
+        before = resident()
+        mesh = sunder.Mesh(points)
+        taken = resident() - before
+        self.assertLess(taken, 1.5 * points.nbytes)  # its own copy, and no other
+        arrays = [mesh.points for _ in range(20)]
+        self.assertLess(resident() - before - taken, 0.5 * points.nbytes)
+        numpy.testing.assert_array_equal(arrays[-1], points)
+
     def test_arrays_fit_together(self):
         sim = breaking()
         for _ in sim.run(until=0.01):
@@ -338,6 +380,76 @@ class Simulations(unittest.TestCase):
             sim.shoot((0, 0, 0), (0, 0, 0), radius=-1, mass=1)
         with self.assertRaises(sunder.Error):
             sim.cut((50, 0, 0), (1, 0, 0))
+
+    def test_bodies_come_and_go(self):
+        box = sunder.box(size=(0.2, 0.1, 0.1), cells=(4, 2, 2))
+        body = {"mesh": box, "translation": [0, 0, 0.06], "velocity": [0, 0, -5], "material": {"tensile_strength": 2e5}}
+        scene = {"bodies": [body], "obstacles": [{"plane": {}}], "time_step": 1e-3, "duration": 0.1}
+
+        def sequence():
+            sim = sunder.Simulation(scene)
+            for _ in range(10):
+                sim.step()
+            ids = [piece.id for piece in sim.fragments()]
+            self.assertGreater(len(ids), 1)
+            come = sim.add({**body, "translation": [0, 1, 0.06]})
+            self.assertEqual(come.body, 1)
+            self.assertEqual(come.pieces.tolist(), [max(ids) + 1])
+            self.assertAlmostEqual(come.kinetic, 12.5 * come.mass)
+            numpy.testing.assert_allclose(come.momentum, (0, 0, -5 * come.mass))
+            before = sim.to_bytes()
+            for fault in ({}, {"mesh": box, "colour": 1}, {"mesh": box, "material": {"density": -1}}):
+                with self.assertRaises(sunder.Error):
+                    sim.add(fault)
+            with self.assertRaises(sunder.Error) as caught:
+                sim.remove(5)
+            self.assertEqual(caught.exception.findings[0].code, "no_such_body")
+            self.assertEqual(sim.to_bytes(), before)
+            sim.step()
+            gone = sim.remove(0)
+            self.assertGreaterEqual(set(gone.pieces.tolist()), set(ids))
+            self.assertEqual({piece.body for piece in sim.fragments()}, {1})
+            self.assertEqual(len(sim.pieces), len(box.tetrahedra))
+            self.assertEqual(sim.check_map(), [])
+            again = sunder.Simulation.from_bytes(sim.to_bytes())
+            for _ in range(10):
+                sim.step()
+                again.step()
+            self.assertEqual(again.hash, sim.hash)
+            self.assertGreater(len(sim.history["time"]), 0)
+            return sim.hash
+
+        self.assertEqual(sequence(), sequence())
+
+    def test_a_run_with_files_has_the_bodies_of_its_scene(self):
+        body = {"mesh": sunder.box(size=(1, 1, 1), cells=(2, 2, 2))}
+        with tempfile.TemporaryDirectory() as folder:
+            sim = sunder.Simulation({"bodies": [body], "time_step": 1e-3, "duration": 0.01})
+            run = sim.run(folder)
+            next(run)
+            for act in (lambda: sim.add({**body, "translation": [0, 0, 5]}), lambda: sim.remove(0),
+                        lambda: sim.pull(0, (0, 0, 1))):
+                with self.assertRaises(sunder.Error) as caught:
+                    act()
+                self.assertEqual(caught.exception.findings[0].code, "run_is_recorded")
+            run.close()
+            sim = sunder.Simulation({"bodies": [body], "time_step": 1e-3, "duration": 0.01})
+            sim.add({**body, "translation": [0, 0, 5]})
+            with self.assertRaises(sunder.Error) as caught:
+                next(sim.run(folder, force=True))
+            self.assertEqual(caught.exception.findings[0].code, "run_has_begun")
+
+    def test_a_pull_leads_a_vertex(self):
+        sim = sunder.Simulation({"bodies": [{"mesh": sunder.box(size=(1, 1, 1), cells=(2, 2, 2))}],
+                                 "gravity": {"acceleration": [0, 0, 0]}, "time_step": 1e-3, "duration": 1})
+        with self.assertRaises(sunder.Error):
+            sim.pull(10 ** 6, (0, 0, 0))
+        end = sim.positions[0] + (0.5, 0, 0)
+        sim.pull(0, end)
+        for _ in range(600):
+            sim.step()
+        self.assertLess(numpy.abs(sim.positions[0] - end).max(), 0.05)
+        sim.release()
 
     def test_equilibrium_and_modes(self):
         cantilever = SCENES / "charts/cantilever.json"

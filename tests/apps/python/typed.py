@@ -26,3 +26,11 @@ def faults(path: str) -> list[str]:
         return [f.code for f in sunder.check(sunder.read(path)).findings]
     except sunder.Error as error:
         return [f.remedy for f in error.findings]
+
+
+def swap(sim: sunder.Simulation, mesh: sunder.Mesh) -> float:
+    come = sim.add({"mesh": mesh, "translation": [0, 0, 2]})
+    gone: sunder.BodyChange = sim.remove(0)
+    sim.pull(0, (0, 0, 1))
+    sim.release()
+    return come.kinetic - gone.kinetic + float(sim.view("masses").sum())

@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: MIT
-// What a host does to a scene between two steps.
-#include <algorithm>
-#include <cmath>
-#include <numbers>
+#include "fracture/simulation/changes/actions.hpp"
 
-#include "apps/host/engine.hpp"
+#include <cmath>
+
 #include "fracture/simulation/rows.hpp"
 #include "fracture/simulation/simulation_state.hpp"
 
 namespace sunder {
 namespace {
-
-constexpr double spring_frequency = 5;  // Hz
 
 Finding bad_action(const char* text, const char* remedy) {
   return {.code = "bad_action", .text = text, .remedy = remedy};
@@ -78,24 +74,16 @@ Result<FanEvent> cut(Simulation& simulation, const Vec3& point, const Vec3& norm
   return event;
 }
 
-void load_spring(Simulation& simulation, const std::optional<Spring>& spring,
-                 std::size_t scene_loads) {
-  SimulationState& s = *simulation.state;
-  s.loads.resize(scene_loads);
-  if (!spring) return;
-  const std::size_t row = spring->vertex.index();
-  const VertexColumns& v = s.mechanics.vertices;
-  const Component& piece = s.mechanics.components[v.component[row].index()];
-  const double omega = 2 * std::numbers::pi * spring_frequency;
-  // However far the pointer is: a chip pulled from far off would be spun faster than a step
-  // follows.
-  const double lifts = 3 * simulation.scene.gravity.acceleration.norm() / (omega * omega);
-  const double longest = std::max(2 * piece.rest_radius, lifts);
-  Vec3 stretch = spring->end - v.position[row];
-  stretch *= std::min(1.0, longest / stretch.norm());
-  if (!stretch.allFinite()) stretch.setZero();
-  const Vec3 force = piece.mass * omega * (omega * stretch - 2 * v.velocity[row]);
-  add_vertex_force(s.loads, s.mechanics, vertex_star(s.cells.map, spring->vertex).corners, force);
+std::optional<Finding> pull(Simulation& simulation, VertexId vertex, const Vec3& end) {
+  const VolumeMap& map = simulation.state->cells.map;
+  if (vertex.index() >= map.vertices() || map.is_node(vertex) || !end.allFinite()) {
+    return bad_action("there is no such vertex, or its place is none",
+                      "give the row of a vertex and a finite point");
+  }
+  simulation.spring = Spring{vertex, end};
+  return std::nullopt;
 }
+
+void release(Simulation& simulation) { simulation.spring.reset(); }
 
 }  // namespace sunder
