@@ -305,11 +305,11 @@ void describe(V& v, LadderSettings& l) {
   v.field(
       Key{"rubble",
           "",
-          "Motion of pieces that cannot break, with their contacts. off: as all others; "
+          "Motion of pieces that do not break, with their contacts. off: as all others; "
           "certified: as rigid bodies in steps of about 1/240 s, where a bound shows that they "
-          "cannot break within the step (docs/explanation/time_and_contact.md). With node_stress "
-          "fit only for single "
-          "tetrahedra; not with contact.method penalty",
+          "cannot break within the step; until_struck: pieces that came off too, until a blow "
+          "could break one (docs/explanation/time_and_contact.md). With node_stress fit only for "
+          "single tetrahedra; not with contact.method penalty",
           {},
           false,
           "",
