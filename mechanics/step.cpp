@@ -75,8 +75,8 @@ void predict_component(MechanicsScratch& scratch, MechanicsState& state, const S
   if (is_isolated(component) && input.settings.isolated == IsolatedTetrahedra::qr) {
     return step_edge_framed(step);
   }
-  const bool is_stiff = component.rung == Rung::rigid || component.rung == Rung::stiff;
-  if (component.rigid || is_stiff) {
+  const bool moves_rigidly = component.rung == Rung::rigid || component.rung == Rung::stiff;
+  if (component.rigid || moves_rigidly) {
     step_rigid_body(step);
     return;
   }

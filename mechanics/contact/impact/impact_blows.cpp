@@ -115,10 +115,29 @@ Vec3 rigid_velocity(const MechanicsState& state, const Component& component, con
 
 /// m/s: the speed at which two surfaces meet, of their points or of the whole component. A foot
 /// that stands already is no measure of the body that comes after it.
-double meeting_speed(const MechanicsState& state, const Component& component, const Touch& touch) {
+double speed_of_surfaces(const MechanicsState& state, const Component& component,
+                         const Touch& touch) {
   const Vec3 whole = rigid_velocity(state, component, touch);
   return std::max(std::abs(touch.normal.dot(touch.own - touch.against)),
                   std::abs(touch.normal.dot(whole - touch.against)));
+}
+
+/// m/s: of any vertex of the component towards the other side.
+double fastest_vertex(const MechanicsState& state, const Component& component, const Touch& touch) {
+  double fastest = 0;
+  for (VertexId v : component.vertices) {
+    const Vec3 relative = state.vertices.velocity[v.index()] - touch.against;
+    fastest = std::max(fastest, std::abs(touch.normal.dot(relative)));
+  }
+  return fastest;
+}
+
+/// m/s: the speed of a blow that was felt. A spinning piece that is pressed at a corner keeps its
+/// window by its fastest vertex, unless blows up to the strength count as nothing.
+double blow_speed(const MechanicsState& state, const Component& component, const Touch& touch,
+                  const ImpactSettings& settings) {
+  return settings.negligible < 1 ? fastest_vertex(state, component, touch)
+                                 : speed_of_surfaces(state, component, touch);
 }
 
 }  // namespace
@@ -158,7 +177,8 @@ void feel_blows(ContactStep& step) {
   BlowJudge judge(step, step.contacts);
   for (const Component& component : state.components) {
     const Touch& touch = touches[component.id.index()];
-    if (touch.impulse > 0) judge.strikes(component, meeting_speed(state, component, touch));
+    if (touch.impulse == 0) continue;
+    judge.strikes(component, blow_speed(state, component, touch, *step.pass.input.part.impact));
   }
 }
 

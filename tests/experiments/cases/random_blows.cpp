@@ -184,9 +184,9 @@ CertificateCounts run_certificates(std::uint64_t first, std::uint64_t count) {
     BreakEnergyScratch scratch;
     note_break_energies(threshold, sim.state->mechanics, sim.state->cells,
                         scene.fracture.node_stress, scratch);
-    const std::vector<char> declared(threshold.size(), 0);
+    const std::vector<char> none(threshold.size(), 0);
     const RubbleChoice choice =
-        choose_rubble(sim, {threshold, declared, scene.gravity.acceleration, tick});
+        choose_rubble(sim, {threshold, none, none, scene.gravity.acceleration, tick});
     bool all = true;
     for (const Component& c : sim.state->mechanics.components) {
       all = all && (c.tetrahedra.empty() || choice.component[c.id.index()]);

@@ -81,8 +81,11 @@ TEST_CASE("what is told is what is set, and what is given stays", "[fracture][se
     const auto values = values_of(scene);
     for (const Choice& c : choices) {
       INFO(c.key);
-      const std::map<std::string, double> words = {
-          {"\"off\"", 0}, {"\"certified\"", 1}, {"\"dense\"", 0}, {"\"lcc\"", 1}};
+      const std::map<std::string, double> words = {{"\"off\"", 0},
+                                                   {"\"certified\"", 1},
+                                                   {"\"until_struck\"", 2},
+                                                   {"\"dense\"", 0},
+                                                   {"\"lcc\"", 1}};
       const double told = words.contains(c.value) ? words.at(c.value) : std::stod(c.value);
       CHECK(told == values.at(c.key));
       CHECK_FALSE(c.reason.empty());
