@@ -101,16 +101,15 @@ class Archive(unittest.TestCase):
 
     @unittest.skipUnless(shutil.which(os.environ.get("CXX", "c++")), "no compiler of C++ is installed")
     def test_the_kernel_in_cpp_passes_and_a_broken_one_does_not(self):
-        done = self.judge(self.compiled(), "[01]*")
+        done = self.judge(self.compiled())
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         self.assertIn(" 0 mismatches", done.stdout)
         lies = {("parted.edges.push_back({a, b});", "{}"): "split edges of face",
                 ("parted.separated = !meet(here, there, {});", ""): "separation by face",
-                ('return "a face of three tetrahedra"', 'return ""'): "loading",
                 ("sheets.size()}", "sheets.size() + 1}"): "boundary sheets: expected"}
         for (old, new), text in lies.items():
             with self.subTest(lie=old):
-                done = self.judge(self.compiled(old, new), "[01]*", "--fail-fast")
+                done = self.judge(self.compiled(old, new), "--fail-fast")
                 self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
                 self.assertIn(text, done.stdout)
 
