@@ -303,6 +303,8 @@ void take_round(Tick& tick, int rounds) {
     move(tick);
     prepare_patches(patches, moving);
     note_velocities(tick);
+    // Relaxing slows points that come near, too.
+    note_blows(tick.report.blow, patches, moving, tick.sub_step());
     note_driven(tick, -1);
     sweep_patches(patches, order, moving, relaxing);
     take_impulses(tick);
