@@ -4,7 +4,7 @@
 
 #include "apps/host/column.hpp"
 #include "apps/host/engine.hpp"
-#include "fracture/simulation/poses.hpp"
+#include "fracture/simulation/queries/poses.hpp"
 #include "fracture/simulation/simulation_state.hpp"
 
 namespace sunder {

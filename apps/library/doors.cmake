@@ -75,7 +75,7 @@ door(simulation "Scenes: building, stepping, saving and loading them, and the re
 door(actions "Bodies added and removed while a simulation runs; balls, pulls and cuts; poses of pieces, contacts."
   fracture/simulation/changes/bodies.hpp
   fracture/simulation/changes/actions.hpp
-  fracture/simulation/poses.hpp)
+  fracture/simulation/queries/poses.hpp)
 
 door(rows "For researchers: the map and the columns of a running simulation, and face splits by a law of one's own."
   fracture/simulation/rows.hpp)

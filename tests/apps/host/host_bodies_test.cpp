@@ -5,29 +5,18 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <memory>
 #include <string>
 #include <vector>
 
 #include "apps/host/sunder.h"
+#include "tests/apps/host/host_engine.hpp"
+
+using namespace sunder::test;
 
 namespace {
 
-using Engine = std::unique_ptr<sunder_engine, void (*)(sunder_engine*)>;
-
 const double points[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 1};
 const std::uint32_t rows[] = {0, 1, 2, 3, 1, 2, 3, 4};
-
-sunder_mesh arrays() {
-  sunder_mesh mesh{};
-  mesh.size = sizeof mesh;
-  mesh.name = "a";
-  mesh.points = points;
-  mesh.point_count = 5;
-  mesh.tetrahedra = rows;
-  mesh.tetrahedron_count = 2;
-  return mesh;
-}
 
 /// A text of a scene or body that names the mesh "a".
 struct Text {
@@ -43,7 +32,7 @@ struct Text {
   Text& operator=(const Text&) = delete;
 
   std::string text;
-  sunder_mesh mesh = arrays();
+  sunder_mesh mesh = mesh_of_arrays(points, rows);
   const sunder_mesh* meshes[1] = {&mesh};
   sunder_scene scene{};
 };

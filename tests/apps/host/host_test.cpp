@@ -10,7 +10,6 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <memory>
 #include <set>
 #include <string>
 #include <vector>
@@ -18,10 +17,11 @@
 #include "apps/scene/scene_json.hpp"
 #include "fracture/simulation/simulation.hpp"
 #include "mechanics/state/settings/named_materials.hpp"
+#include "tests/apps/host/host_engine.hpp"
+
+using namespace sunder::test;
 
 namespace {
-
-using Engine = std::unique_ptr<sunder_engine, void (*)(sunder_engine*)>;
 
 std::string bytes_of(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);

@@ -5,14 +5,14 @@
 #include <catch2/catch.hpp>
 
 #include <cstdint>
-#include <memory>
 #include <string>
 
 #include "apps/host/sunder.h"
+#include "tests/apps/host/host_engine.hpp"
+
+using namespace sunder::test;
 
 namespace {
-
-using Engine = std::unique_ptr<sunder_engine, void (*)(sunder_engine*)>;
 
 sunder_scene scene_of(const std::string& text) {
   sunder_scene scene{};
@@ -29,12 +29,7 @@ TEST_CASE("findings of a refused scene have codes, rows and remedies", "[host]")
   const double corners[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
   const std::uint32_t rows[] = {0, 1, 2, 3, 0, 1, 2, 9};
   const std::string text = R"({"bodies": [{"mesh": "a"}]})";
-  sunder_mesh mesh{};
-  mesh.size = sizeof mesh;
-  mesh.name = "a";
-  mesh.points = corners;
-  mesh.point_count = 4;
-  mesh.tetrahedra = rows;
+  sunder_mesh mesh = mesh_of_arrays(corners, rows);
   mesh.tetrahedron_count = 1;
   const sunder_mesh* meshes[] = {&mesh};
   sunder_scene scene = scene_of(text);

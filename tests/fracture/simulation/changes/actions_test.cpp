@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "fracture/saving/saved_state.hpp"
-#include "fracture/simulation/poses.hpp"
+#include "fracture/simulation/queries/poses.hpp"
 #include "fracture/simulation/rows.hpp"
 #include "fracture/simulation/simulation_state.hpp"
 #include "tests/support/simulation.hpp"

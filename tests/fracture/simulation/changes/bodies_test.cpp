@@ -7,7 +7,7 @@
 #include "fracture/saving/saved_state.hpp"
 #include "fracture/simulation/changes/actions.hpp"
 #include "fracture/simulation/ledger/momentum_ledger.hpp"
-#include "fracture/simulation/poses.hpp"
+#include "fracture/simulation/queries/poses.hpp"
 #include "fracture/simulation/rows.hpp"
 #include "fracture/simulation/simulation_state.hpp"
 #include "mechanics/element/energy.hpp"

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "fracture/simulation/poses.hpp"
-
-#include <variant>
+#include "fracture/simulation/queries/poses.hpp"
 
 #include "fracture/simulation/simulation_state.hpp"
+#include "mechanics/contact/detection/contact_detect.hpp"
 #include "mechanics/contact/shapes/obstacle_geometry.hpp"
 #include "mechanics/state/living.hpp"
 
@@ -12,20 +11,12 @@ namespace {
 
 /// m: where side A of a contact is.
 Vec3 place_of(const SimulationState& s, const ContactPoint& contact) {
-  const std::vector<Vec3>& position = s.mechanics.vertices.position;
-  if (!contact.vertex.is_none()) return position[contact.vertex.index()];
   if (contact.is_body_a()) {
-    const auto corners = s.cells.map.corners(contact.tetrahedron_a);
-    Vec3 place = Vec3::Zero();
-    for (std::size_t i = 0; i < 4; ++i) {
-      place += contact.weights_a[i] * position[corners[i].index()];
-    }
-    return place;
+    return nodes_of_a(contact, s.cells.map.corners()).sum(s.mechanics.vertices.position);
   }
   const Shape& shape = s.obstacles[contact.ball].shape;
-  if (contact.corner != ContactPoint::none) return corner_at(shape, contact.corner);
-  const auto* ball = std::get_if<Sphere>(&shape);
-  return ball ? Vec3(ball->center - ball->radius * contact.normal) : Vec3(Vec3::Zero());
+  const Vec3 place = point_of_obstacle(contact, shape);
+  return contact.is_sphere_a() ? Vec3(place - radius_of(shape) * contact.normal) : place;
 }
 
 std::optional<std::uint32_t> obstacle_of(std::uint32_t row) {
