@@ -13,6 +13,7 @@
 #include "mechanics/contact/detection/contact_edges.hpp"
 #include "mechanics/contact/detection/contact_partners.hpp"
 #include "mechanics/contact/detection/contact_pieces.hpp"
+#include "mechanics/contact/detection/knife_edges.hpp"
 #include "mechanics/contact/detection/pairs/solid_pairs.hpp"
 #include "mechanics/contact/shapes/nearest_point.hpp"
 #include "mechanics/contact/shapes/obstacle_geometry.hpp"
@@ -192,6 +193,7 @@ void find_vertex_contacts(DetectScratch& scratch, const StepPaths& paths,
     if (!is_far(paths, row, reach))
       find_vertex_obstacle(scratch, paths, row, settings.friction, rim);
   }
+  turn_to_flat_surfaces(scratch, paths, settings.allowed_penetration);
   if (paths.obstacles.size() > 1) leave_out_seams(scratch, paths, rim);
 }
 

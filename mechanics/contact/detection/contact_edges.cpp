@@ -17,9 +17,6 @@
 namespace sunder {
 namespace {
 
-/// Share of an edge at either end that is left to its vertex.
-constexpr double end_share = 0.02;
-
 /// An edge of a piece or of an obstacle on its way.
 struct MovingEdge {
   std::array<Vec3, 2> start, end;  ///< m, of its ends
@@ -112,15 +109,13 @@ Bounds way_of_obstacle(const StepPaths& paths, std::uint32_t row) {
   return box;
 }
 
-/// Whether a plane through an edge leaves the faces of A above and those of B below. `normal`:
-/// unit.
+/// Whether a plane through an edge leaves the faces of A above and those of B below, but for faces
+/// that count as flat: strains bend them. `normal`: unit.
 bool fits(const MovingEdge& a, const MovingEdge& b, const Vec3& normal) {
-  // Faces that lie on each other are in the plane but for rounding.
-  constexpr double level = 1e-6;
   const auto is_above = [&](const MovingEdge& edge, const Vec3& up) {
     for (std::uint32_t k = 0; k < edge.besides; ++k) {
       const Vec3 beside = edge.beside[k] - edge.start[0];
-      if (up.dot(beside) < -level * beside.norm()) return false;
+      if (up.dot(beside) < -flat_sine * beside.norm()) return false;
     }
     return true;
   };
@@ -135,7 +130,12 @@ std::array<double, 2> nearest_shares(const MovingEdge& a, const MovingEdge& b, d
   return {(uv * v.dot(r) - vv * u.dot(r)) / across, (uu * v.dot(r) - uv * u.dot(r)) / across};
 }
 
-bool is_between(double share) { return share > end_share && share < 1 - end_share; }
+/// Whether a place of an edge is farther than this from its ends, whose vertices have contacts of
+/// their own, m.
+bool is_within(double share, const Vec3& edge, double from_ends) {
+  const double length = edge.norm();
+  return share * length > from_ends && (1 - share) * length > from_ends;
+}
 
 std::optional<EdgeTouch> touch_of(const MovingEdge& a, const MovingEdge& b, double band) {
   const auto normal_at = [&](double part) { return Vec3(a.along(part).cross(b.along(part))); };
@@ -158,7 +158,8 @@ std::optional<EdgeTouch> touch_of(const MovingEdge& a, const MovingEdge& b, doub
   EdgeTouch touch;
   touch.normal = sign * normal_at(part).normalized();
   const auto [s, t] = nearest_shares(a, b, part);
-  if (!is_between(s) || !is_between(t)) return std::nullopt;
+  if (!is_within(s, a.along(part), 2 * band)) return std::nullopt;
+  if (!is_within(t, b.along(part), 2 * band)) return std::nullopt;
   touch.share_a = s;
   touch.share_b = t;
   const Vec3 from = a.at(s, 0) - b.at(t, 0), to = a.at(s, 1) - b.at(t, 1);
@@ -266,7 +267,8 @@ void find_between_edges(DetectScratch& scratch, const StepPaths& paths,
       const Bounds way = bounds_of(other);
       for (std::uint32_t row = 0; row < edges.size(); ++row) {
         if (!way.overlaps(boxes[row]) || !is_inside(paths, edges[row])) continue;
-        if (is_sharp(paths, edges[row])) meet_edges(moving_edge(paths, edges[row], row), other);
+        // Flat ones too: what lies on a long edge may have no vertex there.
+        meet_edges(moving_edge(paths, edges[row], row), other);
       }
     });
   }
