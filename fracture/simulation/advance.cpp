@@ -244,7 +244,7 @@ void note_plan(StepReport& report, const StepPlan& plan) {
   report.energy.gravity += plan.boundary.gravity_work;
   report.momentum.gravity += plan.boundary.gravity_impulse;
   report.impact = plan.impact;
-  if (plan.phase == StepPlan::Phase::equal) report.status.solve.sub_steps = plan.parts;
+  if (plan.phase == StepPlan::Phase::equal) report.status.solve.sub_steps = report.parts;
 }
 
 /// Activity levels of the next step, ledgers, and drawn poses (section 3.3).

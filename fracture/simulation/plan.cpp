@@ -25,7 +25,6 @@ constexpr double waves_stay = 2;
 constexpr double most_throughout = 32;
 
 /// Parts of a step at most in which pieces would pass each other in longer ones.
-constexpr std::uint32_t most_divisions = 256;
 
 bool has_windows(const Scene& scene) {
   return scene.impact.window && scene.integrator.integrator == Integrator::floating_frame &&
@@ -179,13 +178,10 @@ PlannedPart next_of_members(StepPlan& plan, const Scene& scene, SimulationState&
       static_cast<double>(plan.left) * sub_step};
 }
 
-/// Divides the remaining parts of the step in two.
-void divide(StepPlan& plan) {
-  if (plan.phase == StepPlan::Phase::whole) plan.taken = 0;
-  plan.phase = StepPlan::Phase::equal;
-  plan.divides = true;
-  plan.parts *= 2;
-  plan.taken *= 2;
+/// A part of an explicit integrator has the length that is stable, that of a divided step may grow.
+void note_equal(StepPlan& plan) {
+  if (plan.divides) return take_part(plan.division);
+  ++plan.division.taken;
 }
 
 /// How many components were struck without the energy to break.
@@ -289,7 +285,7 @@ StepPlan plan_step(const Scene& scene, SimulationState& s, SimulationScratch& sc
   begin_without_rubble(plan, s);
   if (scene.integrator.integrator == Integrator::sub_stepped) {
     plan.phase = StepPlan::Phase::equal;
-    plan.parts =
+    plan.division.parts =
         sub_step_count(scene.integrator.time_step,
                        least_step_bound(scratch.mechanics, s.mechanics, scene.integrator.damping));
   } else if (has_windows(scene)) {
@@ -313,8 +309,9 @@ std::optional<PlannedPart> next_part(StepPlan& plan, const Scene& scene, Simulat
     begin_members(plan, scene, s);
     plan.phase = Phase::members;
   }
-  const bool is_through = (plan.phase == Phase::equal && plan.taken == plan.parts) ||
-                          (plan.phase == Phase::members && plan.left == 0);
+  const bool is_through =
+      (plan.phase == Phase::equal && plan.division.taken == plan.division.parts) ||
+      (plan.phase == Phase::members && plan.left == 0);
   if (is_through) {
     if (plan.phase == Phase::members) finish_members(plan, scene, s);
     s.mechanics.time = plan.start + h;
@@ -331,8 +328,8 @@ std::optional<PlannedPart> next_part(StepPlan& plan, const Scene& scene, Simulat
     }
     case Phase::equal: {
       StepPart part;
-      part.divides = plan.divides && plan.parts < most_divisions;
-      return PlannedPart{part, h / plan.parts};
+      part.divides = plan.divides && plan.division.may_divide();
+      return PlannedPart{part, h / plan.division.parts};
     }
     case Phase::others:
       gather_members(plan, s, h);
@@ -349,8 +346,12 @@ std::optional<PlannedPart> next_part(StepPlan& plan, const Scene& scene, Simulat
 void note_part(StepPlan& plan, const PlannedPart& part, const ContactStepResult& result,
                const Scene& scene, SimulationState& s) {
   using Phase = StepPlan::Phase;
-  if (result.passes) return divide(plan);
-  ++plan.taken;
+  if (result.passing_way > 0) {
+    plan.phase = Phase::equal;
+    plan.divides = true;
+    return divide(plan.division, result.passing_way);
+  }
+  if (plan.phase == Phase::equal) note_equal(plan);
   count_spared(plan.impact, result.blows);
   if (result.trace) {
     plan.impact.scaled_cells = std::max(plan.impact.scaled_cells, result.trace->scaled_cells);

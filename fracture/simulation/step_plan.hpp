@@ -8,6 +8,7 @@
 #include "fracture/simulation/boundary.hpp"
 #include "fracture/simulation/state.hpp"
 #include "fracture/simulation/step_report.hpp"
+#include "mechanics/contact/step_division.hpp"
 
 namespace sunder {
 
@@ -24,8 +25,7 @@ struct StepPlan {
   Phase phase = Phase::whole;
   double start = 0;             ///< s, when the step begins
   Vec3 gravity = Vec3::Zero();  ///< m/s^2, over the step
-  std::uint32_t parts = 1;      ///< of `equal`
-  std::uint32_t taken = 0;      ///< parts so far
+  StepDivision division;        ///< of `equal`
   bool divides = false;         ///< parts in which pieces would pass each other are divided
 
   /// Members of the part at hand; rows of components and obstacles, empty: all.

@@ -237,8 +237,8 @@ ContactStepResult advance_with_contact(const ContactWorld& world, const StepInpu
       remember_start(step);
       result.adopted = resolve(step);
     }
-    result.passes = result.adopted && has_passing(step);
-    result.adopted = result.adopted && !result.passes;
+    if (result.adopted) result.passing_way = way_of_passing(step);
+    result.adopted = result.adopted && result.passing_way == 0;
     if (!result.adopted) put_back(step);
   }
   if (result.adopted) {

@@ -68,8 +68,10 @@ struct ContactStepResult {
   Blows blows;  ///< only where `StepPart::impact` is given
   /// False: there are blows ahead, or pieces would pass each other; nothing was done.
   bool adopted = true;
-  /// With `StepPart::divides`: pieces would pass each other, and shorter steps see them meet.
-  bool passes = false;
+  /// With `StepPart::divides`: pieces would pass each other, and shorter steps see them meet. How
+  /// far they move against each other in the step, in mean edges of the smaller tetrahedron or in
+  /// radii; 0: none.
+  double passing_way = 0;
 };
 
 /// One whole step. It predicts the step without contact and finds contacts along the paths:

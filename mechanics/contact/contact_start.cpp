@@ -46,11 +46,12 @@ std::vector<TetId> tetrahedra_of_vertices(const StepPaths& paths) {
   return first;
 }
 
-/// Whether a gap ends farther from where it may be than `passing_share` of the mean edge of a
-/// tetrahedron, or of the radius of a sphere, that meets there. Then bodies turn farther
-/// in the step than the response to impulses allows for.
-bool ends_far_off(const ContactStep& step) {
-  if (step.report.residual <= step.report.tolerated) return false;
+/// Where a gap ends farther from where it may be than `passing_share` of the mean edge of a
+/// tetrahedron, or of the radius of a sphere, that meets there: the longest way of such a contact,
+/// in these; else 0. Then bodies turn farther in the step than the response to impulses allows for.
+double way_of_far_off(const ContactStep& step) {
+  double longest = 0;
+  if (step.report.residual <= step.report.tolerated) return longest;
   const StepPaths paths = paths_of(step);
   const std::vector<TetId> first = tetrahedra_of_vertices(paths);
   for (std::size_t k = step.tied_rows; k < step.contacts.size(); ++k) {
@@ -62,18 +63,21 @@ bool ends_far_off(const ContactStep& step) {
         size = std::min(size, mean_edge(places_of(paths.corners[t.index()], paths)));
     }
     if (c.is_sphere_a()) size = std::min(size, radius_of(step.pass.obstacles[c.ball].shape));
-    if (row_error(step.scratch.bodies.rows[k]) > passing_share * size) return true;
+    if (!(row_error(step.scratch.bodies.rows[k]) > passing_share * size)) continue;
+    const ContactPath path = path_of(c, paths);
+    longest = std::max(longest, (path.end - path.start).norm() / size + passing_share);
   }
-  return false;
+  return longest;
 }
 
 }  // namespace
 
-bool has_passing(ContactStep& step) {
-  if (!step.pass.input.part.divides) return false;
-  if (ends_far_off(step)) return true;
+double way_of_passing(ContactStep& step) {
+  if (!step.pass.input.part.divides) return 0;
+  const double way = way_of_far_off(step);
   const StepPaths paths = paths_of(step);
-  return may_overlap(paths, step.settings) && find_passing(step.scratch.detect, paths);
+  if (way > 0 || !may_overlap(paths, step.settings)) return way;
+  return find_passing(step.scratch.detect, paths);
 }
 
 }  // namespace sunder

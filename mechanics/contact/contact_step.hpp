@@ -113,8 +113,8 @@ void predict_balls(ContactStep& step);
 /// when there are blows ahead.
 bool resolve(ContactStep& step);
 
-/// Whether pieces pass each other between the ends of the step, which it could be divided for.
-bool has_passing(ContactStep& step);
+/// `ContactStepResult::passing_way`: of pieces that pass each other between the ends of the step.
+double way_of_passing(ContactStep& step);
 
 /// Where the gap may be at the end of the step, m: no deeper than it began.
 double target_gap(const ContactPoint& contact);

@@ -85,13 +85,14 @@ struct PassingPair {
   }
 };
 
-bool passes(const DetectScratch& scratch, const StepPaths& paths, TetId a, TetId b) {
+/// The way of two tetrahedra that pass each other, in edges of the smaller one; else 0.
+double way_of(const DetectScratch& scratch, const StepPaths& paths, TetId a, TetId b) {
   const ComponentId of_a = paths.state.elements.component[a.index()];
   const ComponentId of_b = paths.state.elements.component[b.index()];
   const Places p = places_of(paths.corners[a.index()], paths);
   const Places q = places_of(paths.corners[b.index()], paths);
   const Places r = places_at_end(paths, a), s = places_at_end(paths, b);
-  const double tolerance = passing_share * std::min(mean_edge(p), mean_edge(q));
+  const double edge = std::min(mean_edge(p), mean_edge(q)), tolerance = passing_share * edge;
   const auto arm = [&](ComponentId id, const Places& x) {
     double most = 0;
     for (const Vec3& corner : x) {
@@ -104,12 +105,14 @@ bool passes(const DetectScratch& scratch, const StepPaths& paths, TetId a, TetId
       arm(of_a, p), arm(of_b, q)};
   const double arc =
       sagitta(pair.turning_a.angle, pair.arm_a) + sagitta(pair.turning_b.angle, pair.arm_b);
-  if (farthest(p, q, r, s) + arc < tolerance) return false;
+  const double way = farthest(p, q, r, s) + arc;
+  if (way < tolerance) return 0;
   // Pieces that begin in an overlap are pushed out slowly.
-  if (common_gap(p, q, p, q, -tolerance) < -tolerance) return false;
-  if (are_partners(scratch, paths, a, b)) return false;
-  if (common_gap(r, s, r, s, -tolerance) < -tolerance) return true;
-  return pair.overlaps(0, 1, p, q, r, s);
+  if (common_gap(p, q, p, q, -tolerance) < -tolerance) return 0;
+  if (are_partners(scratch, paths, a, b)) return 0;
+  const bool passes =
+      common_gap(r, s, r, s, -tolerance) < -tolerance || pair.overlaps(0, 1, p, q, r, s);
+  return passes ? way / edge : 0;
 }
 
 /// m: between the surfaces of a ball and a tetrahedron; inside of it less than minus the radius.
@@ -120,12 +123,13 @@ double gap_of_ball(const Vec3& centre, double radius, const Places& x) {
   return (centre - nearest).norm() - radius;
 }
 
-bool passes(const StepPaths& paths, const BallWay& ball, TetId t) {
+/// The same of a ball and a tetrahedron.
+double way_of(const StepPaths& paths, const BallWay& ball, TetId t) {
   const ComponentId id = paths.state.elements.component[t.index()];
   const Turning turning = turning_of(paths, id);
   const Places p = places_of(paths.corners[t.index()], paths), q = places_at_end(paths, t);
-  const double tolerance = passing_share * std::min(mean_edge(p), ball.radius);
-  if (gap_of_ball(ball.start, ball.radius, p) < -tolerance) return false;
+  const double size = std::min(mean_edge(p), ball.radius), tolerance = passing_share * size;
+  if (gap_of_ball(ball.start, ball.radius, p) < -tolerance) return 0;
   double fastest = 0;
   for (std::size_t i = 0; i < 4; ++i) {
     const double arm = (p[i] - paths.state.components[id.index()].centre).norm();
@@ -137,27 +141,27 @@ bool passes(const StepPaths& paths, const BallWay& ball, TetId t) {
   for (int k = 0; k < most_looks; ++k) {
     const double gap =
         gap_of_ball(ball.at(part), ball.radius, places_after(paths, turning, t, part));
-    if (gap < -tolerance) return true;
-    if (part >= 1) return false;
+    if (gap < -tolerance) return fastest / size;
+    if (part >= 1) return 0;
     part = std::min(1.0, part + std::max(gap + tolerance, 0.1 * tolerance) / fastest);
   }
-  return true;  // not known: shorter steps will show
+  return fastest / size;  // not known: shorter steps will show
 }
 
 }  // namespace
 
-bool find_passing(DetectScratch& scratch, const StepPaths& paths) {
+double find_passing(DetectScratch& scratch, const StepPaths& paths) {
   pair_on_ways(scratch, paths);
   const SolidPairs& pairs = scratch.solid_pairs;
-  const auto pass = [&](const RowPair& pair) {
-    return passes(scratch, paths, pairs.tetrahedra[pair.first], pairs.tetrahedra[pair.second]);
-  };
-  if (std::ranges::any_of(pairs.found, pass)) return true;
-  bool any = false;
-  for (const BallWay& ball : moving_balls(paths)) {
-    for_each_near(pairs, ball, [&](TetId t) { any = any || passes(paths, ball, t); });
+  double longest = 0;
+  for (const auto& [a, b] : pairs.found) {
+    longest = std::max(longest, way_of(scratch, paths, pairs.tetrahedra[a], pairs.tetrahedra[b]));
   }
-  return any;
+  for (const BallWay& ball : moving_balls(paths)) {
+    for_each_near(pairs, ball,
+                  [&](TetId t) { longest = std::max(longest, way_of(paths, ball, t)); });
+  }
+  return longest;
 }
 
 }  // namespace sunder

@@ -112,7 +112,7 @@ Moment moment_after_step(ContactScene& scene) {
   ContactStepResult result;
   for (;; scene.integrator.time_step /= 2) {
     result = scene.step({.divides = scene.integrator.time_step > shortest});
-    if (!result.passes) break;
+    if (result.passing_way == 0) break;
   }
   Moment now{scene.state.vertices.position,
              scene.state.vertices.velocity,

@@ -10,6 +10,7 @@
 
 #include "mechanics/contact/contact.hpp"
 #include "mechanics/contact/shapes/obstacle_geometry.hpp"
+#include "mechanics/contact/step_division.hpp"
 #include "mechanics/element/energy.hpp"
 #include "tests/support/bodies.hpp"
 
@@ -52,25 +53,24 @@ struct ContactScene {
 
   ContactStepResult step(const StepPart& part = {}) { return take(part, integrator.time_step); }
 
-  /// One step, in parts of one length if pieces would pass each other in it, as the plan of a
-  /// simulation divides it (fracture/simulation/plan.cpp). Gives the last part, with the deepest
+  /// One step, in parts if pieces would pass each other in it, as the plan of a simulation divides
+  /// it (fracture/simulation/plan.cpp). Gives the last part, with the deepest
   /// overlap and the most contacts of all parts. `observe()` is called after each part.
   template <class Observe>
   ContactStepResult step_in_parts(Observe observe) {
-    int parts = 1;
+    StepDivision division;
     ContactStepResult last;
     std::uint32_t contacts = 0;
     double deepest = 0;
-    for (int taken = 0; taken < parts;) {
+    while (division.taken < division.parts) {
       StepPart part;
-      part.divides = parts < 256;
-      last = take(part, integrator.time_step / parts);
-      if (last.passes) {
-        parts *= 2;
-        taken *= 2;
+      part.divides = division.may_divide();
+      last = take(part, integrator.time_step / division.parts);
+      if (last.passing_way > 0) {
+        divide(division, last.passing_way);
         continue;
       }
-      ++taken;
+      take_part(division);
       observe();
       contacts = std::max(contacts, last.report.contacts);
       deepest = std::max(deepest, last.report.deepest);
