@@ -24,9 +24,9 @@ void find_overlaps(DetectScratch& scratch, const StepPaths& paths, const Contact
 /// How far two pieces, or a sphere and a piece, move against each other in the step, where they do
 /// not overlap as it begins and do so later in it by more than `passing_share` of the mean edge of
 /// the smaller tetrahedron (of the radius of a smaller sphere). In such edges, the largest of all
-/// pairs; 0: there are none. Frames turn evenly, vertices move evenly in them. An axis that parts two
-/// tetrahedra at both ends of a time parts them in between, where corners move straight; else the
-/// time is halved, until the motion left is below the share. Needs: as `find_overlaps`.
+/// pairs; 0: there are none. Frames turn evenly, vertices move evenly in them. An axis that parts
+/// two tetrahedra at both ends of a time parts them in between, where corners move straight; else
+/// the time is halved, until the motion left is below the share. Needs: as `find_overlaps`.
 double find_passing(DetectScratch& scratch, const StepPaths& paths);
 
 }  // namespace sunder
