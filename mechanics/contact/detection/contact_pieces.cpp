@@ -10,6 +10,7 @@
 
 #include "mechanics/contact/detection/contact_partners.hpp"
 #include "mechanics/contact/detection/face_touch.hpp"
+#include "mechanics/contact/detection/fitting_normal.hpp"
 #include "mechanics/contact/shapes/obstacle_geometry.hpp"
 #include "topology/base/sort_unique.hpp"
 
@@ -372,6 +373,7 @@ void find_between_pieces(DetectScratch& scratch, const StepPaths& paths,
     const std::optional<FaceTouch> best = choose(std::span(touches).subspan(first, end - first),
                                                  paths, scratch.surface, supports, band);
     if (best) chosen.push_back(*best);
+    if (best) turn_to_fit(chosen.back(), paths, scratch.surface, supports.rim);
     first = end;
   }
   for (const FaceTouch& touch : chosen) {

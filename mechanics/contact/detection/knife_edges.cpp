@@ -5,44 +5,13 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <vector>
 
+#include "mechanics/contact/detection/fitting_normal.hpp"
 #include "mechanics/contact/shapes/obstacle_geometry.hpp"
 
 namespace sunder {
 namespace {
-
-/// Sine of the angle by which neighbours of a vertex may lie below the plane of its contact: that
-/// of a wave of strain, and far below that of an edge.
-constexpr double level = 0.1;
-
-/// The way from a vertex to the neighbour on its surface that lies farthest below a plane, unit.
-std::optional<Vec3> lowest_way(const DetectScratch& scratch, const StepPaths& paths, VertexId v,
-                               const Vec3& normal) {
-  std::optional<Vec3> lowest;
-  double least = -level;
-  for (const VertexId end : scratch.surface.ring_of(v)) {
-    const Vec3 way = (paths.at_start(end) - paths.at_start(v)).normalized();
-    if (!(normal.dot(way) < least)) continue;
-    least = normal.dot(way);
-    lowest = way;
-  }
-  return lowest;
-}
-
-/// The normal without what goes against the surface at a vertex; nothing where that is no plane.
-std::optional<Vec3> along_surface(const DetectScratch& scratch, const StepPaths& paths, VertexId v,
-                                  Vec3 normal) {
-  constexpr int most = 4;
-  for (int k = 0; k < most; ++k) {
-    const std::optional<Vec3> way = lowest_way(scratch, paths, v, normal);
-    if (!way) return normal;
-    normal -= normal.dot(*way) * *way;
-    // A cosine of more than a right angle less this is no side of the edge.
-    if (!(normal.norm() > level)) return std::nullopt;
-    normal.normalize();
-  }
-  return std::nullopt;
-}
 
 /// m: how far a shape reaches along a direction.
 double reach_along(const Shape& shape, const Vec3& direction) {
@@ -54,11 +23,15 @@ double reach_along(const Shape& shape, const Vec3& direction) {
 }
 
 /// Turns a contact, if its vertex calls for it. Gives whether it still comes near.
-bool turn(ContactPoint& contact, double& gap_end, const DetectScratch& scratch,
-          const StepPaths& paths, double band) {
-  if (!lowest_way(scratch, paths, contact.vertex, contact.normal)) return true;
-  const std::optional<Vec3> normal = along_surface(scratch, paths, contact.vertex, contact.normal);
-  if (!normal) return true;
+bool turn(ContactPoint& contact, double& gap_end, std::vector<Vec3>& ways,
+          const DetectScratch& scratch, const StepPaths& paths, double band) {
+  ways.clear();
+  const Vec3& from = paths.at_start(contact.vertex);
+  for (const VertexId end : scratch.surface.ring_of(contact.vertex)) {
+    ways.push_back((paths.at_start(end) - from).normalized());
+  }
+  const std::optional<Vec3> normal = fitting_normal(contact.normal, ways);
+  if (!normal || *normal == contact.normal) return true;
   const Shape shape = shape_about_reference(paths.obstacles[contact.obstacle]);
   const ContactPath path = path_of(contact, paths);
   const double way = contact.gap_start - gap_end;
@@ -82,12 +55,13 @@ void turn_to_flat_surfaces(DetectScratch& scratch, const StepPaths& paths, doubl
   if (paths.neighbours.empty() || std::ranges::none_of(paths.obstacles, has_edges)) return;
   update_surface(scratch.surface, paths.state.elements, paths.corners, paths.neighbours,
                  paths.state.vertices.size());
+  std::vector<Vec3> ways;
   std::size_t kept = 0;
   for (std::size_t k = 0; k < scratch.found.size(); ++k) {
     ContactPoint contact = scratch.found[k];
     double gap_end = scratch.found_gap[k];
     if (has_edges(paths.obstacles[contact.obstacle]) &&
-        !turn(contact, gap_end, scratch, paths, band))
+        !turn(contact, gap_end, ways, scratch, paths, band))
       continue;
     scratch.found[kept] = contact;
     scratch.found_gap[kept++] = gap_end;
