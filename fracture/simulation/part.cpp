@@ -78,7 +78,7 @@ ContactStepResult take_part(StepReport& report, SimulationState& s, const PartIn
                            {scratch.mechanics, scratch.contact});
   if (!result.adopted) return result;
   settings.time_step = result.length;
-  const AdoptedPart adopted{s, input, result, scratch.before};
+  const AdoptedPart adopted{s, input, result, scratch.before, part.scene.contact};
   support_impulses(scratch.supports, adopted);
   add_part_momentum(report.momentum, adopted, scratch.supports);
   if (regions) add_part_forces(report.forces, *regions, adopted, scratch.supports, end);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mechanics/contact/contact_step.hpp"
+#include "mechanics/contact/push_out.hpp"
 #include "mechanics/contact/detection/contact_overlaps.hpp"
 #include "mechanics/contact/shapes/obstacle_geometry.hpp"
 
@@ -14,8 +15,7 @@ double target_gap(const ContactPoint& contact) { return std::min(0.0, contact.ga
 double push_out(const ContactStep& step, const ContactPoint& contact) {
   // Patches of overlaps hold in explicit steps: pushed, those of wedged pieces work against others.
   if (step.is_wave() && contact.is_of_overlap()) return 0;
-  const double too_deep = -step.settings.allowed_penetration - contact.gap_start;
-  return std::clamp(too_deep, 0.0, step.settings.push_out_speed * step.h());
+  return push_out_distance(step.settings, contact.gap_start, step.h());
 }
 
 double row_error(const Constraint& row) {

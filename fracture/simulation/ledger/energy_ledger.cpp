@@ -2,9 +2,11 @@
 // The energy ledger of a step.
 #include "fracture/simulation/ledger/energy_ledger.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "mechanics/contact/detection/contact_detect.hpp"
+#include "mechanics/contact/push_out.hpp"
 #include "mechanics/contact/shapes/obstacle_geometry.hpp"
 #include "mechanics/contact/waves/wave_bodies.hpp"
 #include "mechanics/integrators/coefficients.hpp"
@@ -158,8 +160,9 @@ void add_contact_work(EnergyLedger& ledger, const AdoptedPart& part) {
     if (c.is_body_b()) ledger.contact -= force.dot(other);
     const Vec3 sliding = force - c.normal.dot(force) * c.normal;
     ledger.friction -= sliding.dot(way - other);
-    const double parted = c.normal.dot(way - other);
-    if (c.gap_start < 0 && parted > 0) ledger.push_out += c.normal.dot(force) * parted;
+    const double pushed =
+        std::min(c.normal.dot(way - other), push_out_distance(part.contact, c.gap_start, h));
+    if (pushed > 0) ledger.push_out += c.normal.dot(force) * pushed;
   }
 }
 

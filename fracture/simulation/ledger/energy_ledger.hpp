@@ -16,6 +16,7 @@ struct AdoptedPart {
   const StepInput& input;  ///< as the part was taken with
   const ContactStepResult& result;
   PartStart& before;
+  const ContactSettings& contact;
 };
 
 /// Whether contact gave a component or a ball impulses in the part; `touched` is the result's list

@@ -103,7 +103,8 @@ void note_energy(RunTroubles& troubles, const Simulation& now, const StepReport&
   std::vector<Vec3> centres = centres_of_balls(now.state->obstacles);
   const double change = ledger.kinetic + ledger.strain;
   const OutsideWork work = work_from_outside(balance, centres, now, report);
-  balance.level += change + balls - balance.ball_energy - work.gravity - work.driven;
+  balance.level +=
+      change + balls - balance.ball_energy - work.gravity - work.driven - ledger.push_out;
   balance.work += std::abs(work.driven);
   balance.body_energy += change;
   balance.ball_energy = balls;

@@ -2,6 +2,7 @@
 // Bodies that come and go: against scenes that have them from the start, and against the ledgers.
 #include "fracture/simulation/changes/bodies.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "fracture/saving/saved_state.hpp"
@@ -162,7 +163,7 @@ TEST_CASE("bodies come and go while others break: ids stay, ledgers close", "[bo
   CHECK(come.kinetic == Approx(0.5 * come.mass * 36));
   CHECK(come.momentum[2] == Approx(-6 * come.mass));
   run(40);
-  CHECK(piece_poses(sim).back().body == 2);
+  CHECK(std::ranges::any_of(piece_poses(sim), [](const PiecePose& p) { return p.body == 2; }));
   CHECK(check_map(sim).empty());
   CHECK(kinetic(sim) - kinetic_before ==
         Approx(flow + come.kinetic - gone->kinetic).margin(1e-9 * size));
