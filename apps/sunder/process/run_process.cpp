@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // fork, exec, wait.
-#include "apps/sunder/break/run_process.hpp"
+#include "apps/sunder/process/run_process.hpp"
 
 #include <fcntl.h>
 #include <sys/wait.h>
