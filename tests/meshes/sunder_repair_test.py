@@ -80,6 +80,17 @@ class Repair(unittest.TestCase):
         self.assertEqual(json.loads(done.stdout)["method"], "wrap")
         self.assertGreater(volume(self.out), 0)
 
+    def test_a_wrap_is_simplified(self):
+        counts = []
+        for triangles in ("300", "100000"):
+            done = self.run_on(off((0, 1, FACES)), "--wrap", "--alpha", "0.05", "--offset", "0.02",
+                               "--triangles", triangles)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            counts.append(json.loads(done.stdout)["triangles"])
+            self.assertAlmostEqual(volume(self.out), 1.04 ** 3, delta=0.03)
+        self.assertLess(counts[0], 330)
+        self.assertGreater(counts[1], 2 * counts[0])
+
     def test_mistakes_have_exit_codes(self):
         self.assertEqual(self.run_on("no surface").returncode, 3)
         self.assertEqual(self.run_on(off((0, 1, FACES)), "--alpha", "-1").returncode, 2)

@@ -13,6 +13,8 @@
 #include <CGAL/Polygon_mesh_processing/repair_self_intersections.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Count_stop_predicate.h>
+#include <CGAL/Surface_mesh_simplification/edge_collapse.h>
 #include <CGAL/alpha_wrap_3.h>
 
 #include <algorithm>
@@ -110,6 +112,20 @@ Result<Healed> joined(std::vector<Mesh> shells, Healed healed) {
   return healed;
 }
 
+/// The surface with about so many triangles, or more of them where it would cross itself.
+Mesh simplified(const Mesh& mesh, std::size_t triangles) {
+  namespace simplification = CGAL::Surface_mesh_simplification;
+  for (std::size_t wanted = triangles; 5 * wanted < 4 * mesh.number_of_faces();
+       wanted += wanted / 2) {
+    Mesh coarse = mesh;
+    simplification::edge_collapse(coarse,
+                                  simplification::Count_stop_predicate<Mesh>(3 * wanted / 2));
+    coarse.collect_garbage();
+    if (CGAL::is_closed(coarse) && !processing::does_self_intersect(coarse)) return coarse;
+  }
+  return mesh;
+}
+
 }  // namespace
 
 Result<Healed> unite(const Surface& surface) {
@@ -128,12 +144,13 @@ Result<Healed> unite(const Surface& surface) {
   }
 }
 
-Result<Healed> wrap(const Surface& surface, double alpha, double offset) {
+Result<Healed> wrap(const Surface& surface, const WrapSettings& settings) {
   try {
     Mesh mesh;
-    CGAL::alpha_wrap_3(points_of(surface), surface.triangles, alpha, offset, mesh);
+    CGAL::alpha_wrap_3(points_of(surface), surface.triangles, settings.alpha, settings.offset,
+                       mesh);
     if (mesh.is_empty()) return failed("not_wrapped", "nothing is left of the surface");
-    return Healed{.surface = surface_of(mesh), .method = "wrap"};
+    return Healed{.surface = surface_of(simplified(mesh, settings.triangles)), .method = "wrap"};
   } catch (const std::exception& reason) {
     return failed("not_wrapped", reason.what());
   }

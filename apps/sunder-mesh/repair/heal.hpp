@@ -24,8 +24,14 @@ struct Healed {
 /// not_united, with the reason.
 Result<Healed> unite(const Surface& surface);
 
-/// A closed surface around any triangles: nothing narrower than `alpha` is seen, and it lies
-/// `offset` outside of them. Units of the points, both above 0. Errors: not_wrapped.
-Result<Healed> wrap(const Surface& surface, double alpha, double offset);
+/// How a surface is wrapped. Lengths in the unit of the points, above 0.
+struct WrapSettings {
+  double alpha = 0;              ///< nothing narrower is seen
+  double offset = 0;             ///< the wrap lies so far outside
+  std::size_t triangles = 4000;  ///< to which it is simplified, as long as it does not cross itself
+};
+
+/// A closed surface around any triangles. Errors: not_wrapped.
+Result<Healed> wrap(const Surface& surface, const WrapSettings& settings);
 
 }  // namespace sunder

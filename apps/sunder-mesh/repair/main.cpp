@@ -20,7 +20,7 @@ constexpr int exit_bad_input = 3, exit_not_written = 4;
 
 struct Arguments {
   std::string in, out;
-  double alpha = 0, offset = 0;
+  WrapSettings wrap;
   bool wrap_only = false;
 };
 
@@ -48,8 +48,10 @@ Result<Surface> read(const std::string& path) {
 Result<Healed> heal(const Surface& surface, const Arguments& a) {
   Result<Healed> healed;
   if (!a.wrap_only) healed = unite(surface);
-  if (!healed && a.alpha > 0) {
-    Result<Healed> wrapped = wrap(surface, a.alpha, a.offset > 0 ? a.offset : a.alpha / 10);
+  if (!healed && a.wrap.alpha > 0) {
+    WrapSettings settings = a.wrap;
+    if (!(settings.offset > 0)) settings.offset = settings.alpha / 10;
+    Result<Healed> wrapped = wrap(surface, settings);
     for (Finding& f : healed.findings) f.severity = Severity::note;
     wrapped.findings.insert(wrapped.findings.begin(), healed.findings.begin(),
                             healed.findings.end());
@@ -88,13 +90,18 @@ int main(int argc, char** argv) {
   program.add_option("IN", a.in, "Surface of triangles: OFF, STL, OBJ, PLY")->required();
   program.add_option("OUT", a.out, "File to write")->required();
   program
-      .add_option("--alpha", a.alpha,
+      .add_option("--alpha", a.wrap.alpha,
                   "Where a union fails, wrap the surface: nothing narrower than this is seen")
       ->check(CLI::PositiveNumber);
   program
-      .add_option("--offset", a.offset,
+      .add_option("--offset", a.wrap.offset,
                   "Distance of a wrap from the surface (default: a tenth of --alpha)")
       ->check(CLI::PositiveNumber);
+  program
+      .add_option("--triangles", a.wrap.triangles,
+                  "Triangles that a wrap is simplified to, as long as it does not cross itself")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
   program.add_flag("--wrap", a.wrap_only, "Wrap without trying a union; needs --alpha")
       ->needs("--alpha");
   program.footer(

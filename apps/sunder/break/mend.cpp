@@ -24,7 +24,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::chrono::seconds longest_repair{180};
+/// A union that takes longer gives way to a wrap, which is given as long.
+constexpr std::chrono::seconds longest_repair{90};
 
 /// A wrap sees nothing narrower than this share of the longest side.
 constexpr double wrap_share = 1.0 / 80;
@@ -155,6 +156,7 @@ Result<Healed> heal(const FileMesh& surface, bool wrap_only) {
                                     fmt::format("{:.9g}", alpha)};
   if (wrap_only) words.emplace_back("--wrap");
   const ProcessEnd end = run_process(*program, words, folder.path(), longest_repair);
+  if (end.took_too_long && !wrap_only) return heal(surface, true);
   Result<FileMesh> mesh;
   if (end.exit_code == 0) mesh = read_file_mesh(folder.path() / "healed.off");
   if (!mesh) {
