@@ -29,7 +29,7 @@ The object is set down on the ground. One of --drop, --throw, --ball, --press an
 The default is a drop from 1 m. A dropped object is tilted, since few things land flat.
 DIR holds the scene and the mesh in metres, which you can change and run again, and DIR/run the files
 of `sunder run`. An existing scene or mesh with other contents is replaced with --force only.
-The film shows each step once, 25 in a second; ffmpeg encodes it. Without ffmpeg its pictures are kept.
+The film shows each step once, 25 in a second. Without ffmpeg, which encodes it, its pictures are kept.
 A large piece has a hundredth of the mass or more (docs/howto/break_an_object.md).
 
 Exit codes: 0 done, 2 usage, 3 the object cannot be read or filled, 4 not written, 5 the simulation

@@ -168,8 +168,7 @@ void judge_film(Work& work, double budget, double cells) {
   const double film = drawing_time(film_frames, film_width * film_height * 1e-6, cells);
   if (film < 0.5 * budget) return;
   a.no_film = true;
-  remark(fmt::format("no film: it would take {} of the {}\n", time_words(film), a.budget),
-         a);
+  remark(fmt::format("no film: it would take {} of the {}\n", time_words(film), a.budget), a);
 }
 
 /// The mesh that fits into --time-budget, with words about it.

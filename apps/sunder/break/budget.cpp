@@ -29,7 +29,7 @@ bool is_better(const Costed& a, const Costed& b, double seconds) {
 
 double drawing_time(double pictures, double megapixels, double tetrahedra) {
   // Measured on Mesa's llvmpipe with a vase of 5 000 and a ball of 30 000 tetrahedra.
-  return pictures * (0.05 + 0.6 * megapixels + 1e-5 * tetrahedra);
+  return pictures * (0.1 + 0.65 * megapixels + 1e-5 * tetrahedra);
 }
 
 std::optional<Costed> finest_within(const std::function<double()>& left, const CostedFill& make) {

@@ -61,12 +61,14 @@ Finding open_surface(const FileMesh& surface, const SurfaceCheck& check, const S
                                                  : std::string();
   return refused(
       "open_surface",
-      fmt::format("the surface is open: {} of one face only{}",
-                  counted(check.boundary_edges, "edge", "edges"),
-                  tried.wide_holes > 0
-                      ? fmt::format(", {} wider than a tenth of the object, the widest {:.3g}{}",
-                                    counted(tried.wide_holes, "hole"), tried.widest_left, place)
-                      : place),
+      fmt::format(
+          "the surface is open: {} of one face only{}",
+          counted(check.boundary_edges, "edge", "edges"),
+          tried.wide_holes > 0
+              ? fmt::format(", {} left, wider than three tenths of the object or of no simple "
+                            "rim, the widest {:.3g}{}",
+                            counted(tried.wide_holes, "hole"), tried.widest_left, place)
+              : place),
       fmt::format(
           "close its holes, in Blender by Mesh > Clean Up > Fill Holes; give a sheet a "
           "thickness, in Blender by the modifier Solidify{}",

@@ -20,7 +20,7 @@ enum class Mending {
 };
 
 /// Holes up to this share of the longest side are closed without being asked.
-inline constexpr double small_hole = 0.1;
+inline constexpr double small_hole = 0.3;
 
 /// A surface that bounds a body, in the unit of the file.
 struct Mended {
