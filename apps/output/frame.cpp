@@ -57,20 +57,34 @@ VertexData vertex_data(const MechanicsState& mechanics, const std::vector<Mat3>&
   return data;
 }
 
+/// Moves of points at rest as those of vertices in the world; nothing without any.
+std::vector<Vec3> turned_moves(const Cells& cells, const MechanicsState& mechanics,
+                               std::span<const Vec3> moves) {
+  std::vector<Vec3> turned;
+  for (std::size_t i = 0; !moves.empty() && i < mechanics.vertices.size(); ++i) {
+    const Component& piece = mechanics.components[mechanics.vertices.component[i].index()];
+    turned.emplace_back(piece.orientation * moves[cells.map.point_of_vertex(VertexId{i})]);
+  }
+  return turned;
+}
+
 }  // namespace
 
-std::vector<Finding> write_frame(const std::filesystem::path& path, const Simulation& simulation) {
+std::vector<Finding> write_frame(const std::filesystem::path& path, const Simulation& simulation,
+                                 std::span<const Vec3> moves) {
   const Cells& cells = simulation.state->cells;
   const MechanicsState& mechanics = simulation.state->mechanics;
   const VertexColumns& v = mechanics.vertices;
   const VertexData data = vertex_data(
       mechanics, node_stress_of(cells, mechanics, simulation.scene.fracture.node_stress));
+  const std::vector<Vec3> turned = turned_moves(cells, mechanics, moves);
   if (!mechanics.elements.edge_nodes.empty()) {
     FileMesh nodes = node_mesh(simulation);
     add_node_column(nodes, "displacement", data.displacement);
     add_node_column(nodes, "velocity", v.velocity);
     add_node_column(nodes, "node_stress", data.stress, 6);
     add_node_column(nodes, "largest_principal_stress", data.largest, 1);
+    if (!turned.empty()) add_node_column(nodes, "crack_move", turned);
     return write_file_mesh(path, nodes, {.format = MeshFormat::vtu});
   }
   TetMesh mesh;
@@ -84,10 +98,11 @@ std::vector<Finding> write_frame(const std::filesystem::path& path, const Simula
     component.push_back(cells.labels.of_tetrahedron[component.size()].value);
   }
   const Origins origin = origins(simulation.scene.bodies);
-  const std::array point_data = {
+  std::vector point_data = {
       vector_column("displacement", data.displacement), vector_column("velocity", v.velocity),
       NamedColumn{"node_stress", std::span<const double>(data.stress), 6},
       NamedColumn{"largest_principal_stress", std::span<const double>(data.largest)}};
+  if (!turned.empty()) point_data.push_back(vector_column("crack_move", turned));
   std::vector cell_data = {NamedColumn{"component", std::span<const std::uint32_t>(component)},
                            NamedColumn{"body", std::span<const std::int32_t>(origin.body)},
                            NamedColumn{"region", std::span<const std::int32_t>(origin.region)}};

@@ -66,6 +66,8 @@ constexpr OutputColumn frame_points[] = {
     {"velocity", "m/s", "Velocity."},
     {"node_stress", "Pa", "Stress in world axes: XX, YY, ZZ, XY, YZ, XZ."},
     {"largest_principal_stress", "Pa", "Largest principal value of `node_stress`."},
+    {"crack_move", "m", "Move that brings a crack face near the plane of its crack, for drawing.",
+     "`output.crack_surface` is `smooth`"},
 };
 
 constexpr const char* with_labels = "`fracture.crack` is `object` or `cohesive`";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Flight until things meet, resting contact, and the sub-steps after a blow that breaks.
+// Flight until things meet, resting contact, the shatter after a blow, and debris.
 #include "fracture/scene/expected_time.hpp"
 
 #include <algorithm>
@@ -19,17 +19,27 @@ constexpr double never = std::numeric_limits<double>::infinity();
 // Measured by tests/experiments/expected_time/expected_time.py.
 /// s per tetrahedron of a step in resting contact, where bodies lie on bodies and where they do
 /// not.
-constexpr double of_heap = 30e-6, of_rest = 4e-6;
-/// s per tetrahedron of a sub-step after a breaking blow, for a body of 3000; it grows with this
-/// power of the number.
-constexpr double of_sub_step = 4.4e-7, growth = 0.15;
-/// s per tetrahedron of second order, more than that.
-constexpr double of_second_order = 1e-6;
+constexpr double of_heap = 30e-6, of_rest = 1e-7;
+/// s per tetrahedron for all cracks after breaking blows, of a body of 5 000; it grows with this
+/// power of the number. Cracks are about a sixth of the tetrahedra, each with its contacts and
+/// sub-steps, however long the run goes on.
+constexpr double of_shatter = 1.7e-3, growth = 0.2;
+/// The share of it where no impact window divides a step.
+constexpr double without_windows = 0.02;
+/// s per tetrahedron of a step of debris.
+constexpr double of_debris = 3e-6;
+/// Elements of second order make forces dear, contact hardly: times that a shatter takes with them.
+constexpr double of_second_order = 3;
 /// Blows that break most bodies have this stress rho c v over the strength.
 constexpr double breaks_most = 1.3;
-/// Wave travels through a held body until it is quiet after a blow. The pieces of free bodies go on
-/// meeting each other.
+/// Wave travels through a body after a blow while it cracks, and until a held one is quiet. The
+/// pieces of free bodies go on meeting each other.
 constexpr double ringing = 50;
+
+/// s in which a body of so many tetrahedra cracks throughout.
+double shatter(double size) {
+  return of_shatter * size * exponential(growth * logarithm(size / 5000));
+}
 
 /// A body as its bounding box, which neither turns nor rebounds.
 struct MovingBody {
@@ -38,7 +48,11 @@ struct MovingBody {
   double mass = never;
   /// s: its first contact, its first contact with another body, the first blow that may break it.
   double touched = never, piled = never, broken = never;
-  double quiet = 0;  ///< s: when it no longer rings from the last such blow
+  double cracked = 0;  ///< s: when it no longer rings from the last such blow
+  double quiet = 0;    ///< s: when its pieces no longer meet
+  /// Whether something at rest holds it up, and m that something driven has pressed into it.
+  bool is_held_up = false;
+  double squeezed = 0;
 };
 
 struct MovingObstacle {
@@ -121,7 +135,26 @@ class BoxWorld {
     }
     if (nearest.gap > reach) return;
     body.touched = std::min(body.touched, time);
-    strike(a, stop(body.velocity, body.mass, o.obstacle.velocity, o.mass, nearest.normal), time);
+    const double closing =
+        stop(body.velocity, body.mass, o.obstacle.velocity, o.mass, nearest.normal);
+    strike(a, closing, time);
+    const bool is_driven = o.mass == never && !o.obstacle.velocity.isZero();
+    if (o.mass == never && !is_driven) body.is_held_up = true;
+    if (is_driven && (body.is_held_up || body.mass == never)) {
+      squeeze(a, closing * step, time);
+    }
+  }
+
+  /// Something driven comes `way` m further into a body that cannot yield.
+  void squeeze(std::size_t b, double way, double time) {
+    MovingBody& body = bodies_[b];
+    const BodySettings& settings = scene_.bodies[b];
+    if (settings.rigid || scene_.fracture.mode == FractureMode::off) return;
+    body.squeezed += way;
+    const double strain = measures_[b].strength / settings.material.young_modulus;
+    if (body.squeezed < strain * measures_[b].extent) return;
+    body.broken = std::min(body.broken, time);
+    body.cracked = body.quiet = never;
   }
 
   void meet(std::size_t a, std::size_t b, double time, double step) {
@@ -152,6 +185,7 @@ class BoxWorld {
     MovingBody& body = bodies_[b];
     body.broken = std::min(body.broken, time);
     const double rings = ringing * measures_[b].extent / measures_[b].wave_speed;
+    body.cracked = std::max(body.cracked, time + rings);
     body.quiet = body.mass != never ? never : std::max(body.quiet, time + rings);
   }
 
@@ -214,19 +248,16 @@ class Forecast {
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
       const double pressed = pressed_time(scene.bodies[b], measures_[b]);
       bodies_[b].broken = std::min(bodies_[b].broken, pressed);
-      if (pressed < never) bodies_[b].quiet = never;
+      if (pressed < never) bodies_[b].cracked = bodies_[b].quiet = never;
       bodies_[b].touched = std::min(bodies_[b].touched, pressed);
     }
   }
 
   ExpectedTime phases() const {
-    double broken = never, quiet = 0;
     std::vector<double> changes = {0};
     for (const MovingBody& body : bodies_) {
-      broken = std::min(broken, body.broken);
-      quiet = std::max(quiet, body.quiet);
       for (const double t :
-           {body.touched, body.touched + time_to_sleep(), body.broken, body.quiet}) {
+           {body.touched, body.touched + time_to_sleep(), body.broken, body.cracked, body.quiet}) {
         if (t < scene_.duration) changes.push_back(t);
       }
     }
@@ -234,8 +265,7 @@ class Forecast {
     changes.erase(std::ranges::unique(changes).begin(), changes.end());
     ExpectedTime expected;
     expected.phases.clear();
-    for (const double t : changes)
-      expected.phases.push_back({t, rate(t, t >= broken && t < quiet)});
+    for (const double t : changes) expected.phases.push_back({t, rate(t)});
     return expected;
   }
 
@@ -250,41 +280,38 @@ class Forecast {
   }
 
   /// s of computing per simulated second at the time t.
-  double rate(double t, bool breaking) const {
+  double rate(double t) const {
     const double steps = 1 / scene_.integrator.time_step;
     double seconds = 1e-3 * flight_ms(scene_) * steps;
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
-      const MovingBody& body = bodies_[b];
-      if (scene_.bodies[b].rigid || t < body.touched) continue;
-      const BodySettings& settings = scene_.bodies[b];
-      const auto size = static_cast<double>(settings.mesh.tetrahedra.size());
-      if (breaking) {
-        // Contact, for which the order counts little, and forces where their order makes them dear.
-        const double contact = of_sub_step * size * exponential(growth * logarithm(size / 3000));
-        const double forces = settings.order == 2 ? of_second_order * size : 0;
-        seconds += (contact + forces) / sub_step();
-      } else if (t < body.touched + time_to_sleep()) {
-        seconds += (t < body.piled ? of_rest : of_heap) * size * cost_of_order(settings) * steps;
-      }
+      if (!scene_.bodies[b].rigid && t >= bodies_[b].touched) seconds += rate_of(b, t, steps);
     }
     return seconds;
   }
 
-  /// s: the shortest sub-step that the blows on the bodies need (`Blows::sub_step`).
-  double sub_step() const {
-    double step = scene_.integrator.time_step;
-    if (!scene_.impact.window || scene_.integrator.integrator != Integrator::floating_frame ||
-        scene_.contact.method != ContactMethod::impulses) {
-      return step;
+  /// The part of a body that has touched another or an obstacle.
+  double rate_of(std::size_t b, double t, double steps) const {
+    const MovingBody& body = bodies_[b];
+    const BodySettings& settings = scene_.bodies[b];
+    const auto size = static_cast<double>(settings.mesh.tetrahedra.size());
+    if (t >= body.broken && t < body.quiet) {
+      const double share = has_windows() ? 1 : without_windows;
+      double seconds = share * of_debris * size * steps;
+      const double end = std::min(body.cracked, scene_.duration);
+      if (t < end) {
+        const double order = settings.order == 2 ? of_second_order : 1;
+        seconds += share * order * shatter(size) / (end - body.broken);
+      }
+      return seconds;
     }
-    double wanted = step;
-    for (std::size_t b = 0; b < bodies_.size(); ++b) {
-      const BodyMeasures& m = measures_[b];
-      if (bodies_[b].broken == never) continue;
-      wanted = std::min(wanted, m.cell / m.wave_speed);
-    }
-    while (step > wanted) step /= 2;
-    return step;
+    if (t >= body.touched + time_to_sleep()) return 0;
+    return (t < body.piled ? of_rest : of_heap) * size * cost_of_order(settings) * steps;
+  }
+
+  /// Whether blows are computed in sub-steps.
+  bool has_windows() const {
+    return scene_.impact.window && scene_.integrator.integrator == Integrator::floating_frame &&
+           scene_.contact.method == ContactMethod::impulses;
   }
 
   const Scene& scene_;

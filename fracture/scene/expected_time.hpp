@@ -29,10 +29,10 @@ struct ExpectedTime {
 double flight_ms(const Scene& scene);
 
 /// Estimates a run of the scene. Bodies move as boxes that stop each other. Resting contact ends
-/// when they fall asleep; after a blow with a stress rho c v well above the strength, or when
-/// supports have pressed a body to it, all that touches is sub-stepped to the end. The
-/// factors are measured (tests/experiments/expected_time). Needs: a scene and meshes without
-/// errors, settings chosen.
+/// when they fall asleep. After a blow with a stress rho c v well above the strength, or when
+/// supports or driven obstacles have pressed a body to it, that body cracks throughout; then its
+/// debris meets to the end. The factors are measured (tests/experiments/expected_time). Needs: a
+/// scene and meshes without errors, settings chosen.
 ExpectedTime expected_time(const Scene& scene);
 
 }  // namespace sunder

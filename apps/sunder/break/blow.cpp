@@ -17,7 +17,7 @@ using nlohmann::ordered_json;
 using Bounds = Eigen::AlignedBox3d;
 using Eigen::Vector3d;
 
-constexpr double gravity = 9.81;
+constexpr double standard_gravity = 9.81;
 constexpr double steel = 7850;  // kg/m^3
 
 /// A share of the object's size that lies between things that are about to touch.
@@ -66,7 +66,7 @@ void drop(Stage& stage, const TetMesh& mesh, const Blow& blow) {
   const Bounds turned = box_of(mesh, Tilt(blow.tilt));
   if (blow.tilt != 0) stage.body["rotation"] = {{"axis", {1, 0, 0}}, {"angle", blow.tilt}};
   stage.body["translation"] = numbers({0, 0, stage.gap() - turned.min()[2]});
-  stage.body["velocity"] = numbers({0, 0, -std::sqrt(2 * gravity * blow.height)});
+  stage.body["velocity"] = numbers({0, 0, -std::sqrt(2 * standard_gravity * blow.height)});
   stage.add_plane({0, 0, 1}, 0);
 }
 
@@ -217,7 +217,7 @@ ordered_json break_scene(const BrokenThing& thing, const Blow& blow, const Break
       {"contact", {{"friction", thing.material.friction}}},
       {"time_step", times.step ? *times.step : usual_step(duration)},
       {"duration", duration},
-      {"output", {{"frames", 26}, {"crack_surface", "smooth"}}}};
+      {"output", {{"frames", film_frames}, {"crack_surface", "smooth"}}}};
   if (with_pictures) scene["output"]["pictures"]["count"] = 6;
   return scene;
 }

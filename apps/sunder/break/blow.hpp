@@ -45,6 +45,9 @@ struct BreakTimes {
   std::optional<double> step, duration;
 };
 
+/// Frames of a run: one a step where the step is the usual one, for 3 s of film.
+inline constexpr int film_frames = 76;
+
 /// The scene, as `sunder run` reads it. A drop starts just above the ground with the speed of its
 /// fall. A ball comes along the object's thinnest side. A press is two plates. A bend holds both
 /// ends of the longest side and drives its middle.

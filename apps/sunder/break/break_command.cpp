@@ -1,45 +1,35 @@
 // SPDX-License-Identifier: MIT
-// Read the object, fill it, write the scene, run it, tell the outcome.
+// The command line of `sunder break`.
 #include "apps/sunder/break/break_command.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <fstream>
-#include <iterator>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "apps/scene/reading/length_unit.hpp"
-#include "apps/sunder/break/blow.hpp"
+#include "apps/sunder/break/break_object.hpp"
 #include "apps/sunder/break/fill.hpp"
-#include "apps/sunder/break/outcome.hpp"
-#include "apps/sunder/break/thing.hpp"
-#include "apps/sunder/fragments/fragment_sizes.hpp"
 #include "apps/sunder/materials/materials.hpp"
-#include "apps/sunder/program.hpp"
-#include "apps/sunder/run/run.hpp"
-#include "topology/base/counted.hpp"
-#include "topology/io/files/output_file.hpp"
-#include "topology/io/files/printing.hpp"
-#include "topology/io/mesh_file.hpp"
 
 namespace sunder {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr const char* break_footer = R"(
 THING is a closed surface (STL, OBJ, PLY, OFF and others) or a mesh of tetrahedra, in any format of
 `sunder convert --formats`. A surface is checked and filled with tetrahedra by a mesher that is
 installed: tetgen, gmsh or sunder-mesh. Each runs as a process of its own, for three minutes at most.
+Faults of a surface are repaired, and each repair is reported. sunder-repair, a program of its own,
+joins shells that overlap, and wraps what no other repair closes.
 Lengths are numbers with a unit: 95mm, 3.5cm, 0.2m, 4in. Speeds are 20m/s or 30km/h.
 Without --size and --units a longest side above 3 is taken as millimetres, else as metres.
 The object is set down on the ground. One of --drop, --throw, --ball, --press and --bend breaks it.
 The default is a drop from 1 m. A dropped object is tilted, since few things land flat.
 DIR holds the scene and the mesh in metres, which you can change and run again, and DIR/run the files
 of `sunder run`. An existing scene or mesh with other contents is replaced with --force only.
+The film shows each step once, 25 in a second. Without ffmpeg, which encodes it, its pictures are kept.
 A large piece has a hundredth of the mass or more (docs/howto/break_an_object.md).
 
 Exit codes: 0 done, 2 usage, 3 the object cannot be read or filled, 4 not written, 5 the simulation
@@ -49,168 +39,8 @@ Examples:
   sunder break mug.stl --material porcelain --drop 1m
   sunder break vase.obj --size 30cm --up y --ball 50mm@20m/s --tetrahedra 20000
   sunder break brick.msh --material brick --press --speed 0.2m/s
+  sunder break statue.ply --size 40cm --time-budget 2min
 )";
-
-struct BreakArguments : Telling {
-  fs::path thing, folder;
-  std::string material = "ceramic", units, size, cell, mesher, drop, hurl, ball, speed;
-  UpAxis up = UpAxis::z;
-  double tetrahedra = 5000;
-  double tilt = 20;
-  BreakTimes times;
-  bool press = false, bend = false, scene_only = false, force = false;
-};
-
-Blow blow_of(const BreakArguments& a) {
-  Blow blow;
-  if (!a.speed.empty()) blow.speed = *speed_of(a.speed);
-  if (!a.drop.empty()) blow.height = *length_of(a.drop);
-  if (!a.hurl.empty()) {
-    blow.kind = BlowKind::hurl;
-    blow.speed = *speed_of(a.hurl);
-  } else if (!a.ball.empty()) {
-    blow.kind = BlowKind::strike;
-    blow.ball = *ball_of(a.ball);
-  } else if (a.press) {
-    blow.kind = BlowKind::press;
-  } else if (a.bend) {
-    blow.kind = BlowKind::bend;
-  } else {
-    blow.tilt = a.tilt;
-  }
-  return blow;
-}
-
-/// A name for files: the thing's without its endings.
-std::string name_of(const fs::path& thing) {
-  std::string name = thing.filename().string();
-  if (name.ends_with(".gz")) name.resize(name.size() - 3);
-  name = fs::path(name).stem().string();
-  return name.empty() || name == "." || name == ".." || name == "-" ? "thing" : name;
-}
-
-/// The tetrahedra of the thing in metres, on the ground; nothing after an error.
-std::optional<TetMesh> mesh_of(const BreakArguments& a) {
-  Result<Thing> thing = read_thing(a.thing);
-  tell(thing.findings, a);
-  if (!thing) return std::nullopt;
-  std::optional<double> size;
-  if (!a.size.empty()) size = length_of(a.size);
-  const ThingScale scale = scale_of(*thing, size, a.units, a.thing.string());
-  if (scale.guess) tell({*scale.guess}, a);
-  TetMesh mesh;
-  if (thing->is_solid()) {
-    mesh = std::move(thing->solid);
-    remark(fmt::format("{} has {}\n", a.thing.string(),
-                       counted(mesh.tetrahedra.size(), "tetrahedron", "tetrahedra")),
-           a);
-  } else {
-    double wanted = a.tetrahedra;
-    if (!a.cell.empty() && thing->volume > 0) {
-      const double cell = *length_of(a.cell) / scale.metres;
-      wanted = std::max(1.0, 6 * thing->volume / (cell * cell * cell));
-    }
-    Result<Filled> filled = fill(*thing, wanted, a.mesher);
-    for (Finding& f : filled.findings) f.file = a.thing.string();
-    tell(filled.findings, a);
-    if (!filled) return std::nullopt;
-    mesh = std::move(filled->mesh);
-    remark(fmt::format("{} filled it with {}, volume {:+.2g} %\n", filled->mesher,
-                       counted(mesh.tetrahedra.size(), "tetrahedron", "tetrahedra"),
-                       100 * filled->volume_error),
-           a);
-  }
-  set_down(mesh, scale.metres, a.up);
-  return mesh;
-}
-
-/// Whether a file is there with other contents.
-bool differs(const fs::path& path, std::string_view text) {
-  if (!file_exists(path)) return false;
-  std::ifstream in(path, std::ios::binary);
-  return std::string(std::istreambuf_iterator<char>(in), {}) != text;
-}
-
-/// Writes scene and mesh. Nothing of the user's is replaced without --force.
-std::optional<Finding> write_scene(const BreakArguments& a, const fs::path& scene,
-                                   const std::string& text, const fs::path& file,
-                                   const TetMesh& mesh) {
-  const fs::path beside = fs::path(file).replace_extension(".new.msh");
-  if (auto fault = make_folder(a.folder)) return fault;
-  for (Finding& f : write_mesh(beside, mesh)) {
-    if (f.severity == Severity::error) return f;
-  }
-  std::ifstream in(beside, std::ios::binary);
-  const std::string bytes(std::istreambuf_iterator<char>(in), {});
-  in.close();
-  std::error_code none;
-  fs::remove(beside, none);
-  for (const auto& [path, content] : {std::pair{file, &bytes}, std::pair{scene, &text}}) {
-    if (!a.force && differs(path, *content)) {
-      return Finding{.code = "in_the_way",
-                     .text = fmt::format("{} is there with other contents", path.string()),
-                     .remedy = "give another folder with -o, or replace it with --force",
-                     .file = path.string()};
-    }
-  }
-  if (auto fault = write_file(file, bytes)) return fault;
-  return write_file(scene, text);
-}
-
-std::size_t line_count(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  return static_cast<std::size_t>(
-      std::count(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>(), '\n'));
-}
-
-/// The sentence about a finished run and the places of its files.
-ExitCode tell_outcome(const BreakArguments& a, const fs::path& scene, const fs::path& run) {
-  const Result<PieceColumns> pieces = read_fragments(run / "fragments.csv");
-  tell(pieces.findings, a);
-  if (!pieces) return ExitCode::failed;
-  const std::size_t cracks =
-      line_count(run / "cracks.csv");  // its first line has the names of columns
-  print("\n{}\n", outcome_sentence(pieces->mass, cracks > 0 ? cracks - 1 : 0));
-  print("Scene     {}\n", shell_word(scene.string()));
-#if defined(SUNDER_HAS_RENDERER)
-  print("Pictures  {}\n", shell_word((run / "picture_005.png").string()));
-#else
-  print("Frames    {}\n", shell_word((run / "frames.pvd").string()));
-#endif
-  return ExitCode::fine;
-}
-
-ExitCode break_thing(BreakArguments a) {
-  const std::string name = name_of(a.thing);
-  if (a.folder.empty()) a.folder = fs::path("out") / name;
-  const std::optional<TetMesh> mesh = mesh_of(a);
-  if (!mesh) return ExitCode::bad_input;
-  const fs::path file = a.folder / (name + ".msh"), scene = a.folder / (name + ".json");
-#if defined(SUNDER_HAS_RENDERER)
-  constexpr bool with_pictures = true;
-#else
-  constexpr bool with_pictures = false;
-#endif
-  const Blow blow = blow_of(a);
-  const nlohmann::ordered_json json =
-      break_scene({name, file.filename().string(), *mesh, *find_material(a.material)}, blow,
-                  a.times, with_pictures);
-  if (const auto fault = write_scene(a, scene, json_text(json) + "\n", file, *mesh)) {
-    tell({*fault}, a);
-    return ExitCode::not_written;
-  }
-  remark(fmt::format("{} of {} is {}\n", name, a.material, blow_words(blow)), a);
-  if (a.scene_only) {
-    print("{} run {}\n", program_word(), shell_word(scene.string()));
-    return ExitCode::fine;
-  }
-  RunArguments run{a};
-  run.scene = scene;
-  run.folder = a.folder / "run";
-  run.force = true;
-  const ExitCode code = run_scene(run);
-  return code == ExitCode::fine ? tell_outcome(a, scene, run.folder) : code;
-}
 
 std::string check_material(const std::string& name) {
   if (find_material(name) != nullptr) return {};
@@ -244,17 +74,33 @@ void add_object_options(CLI::App& command, BreakArguments& a) {
   command.add_option("--up", a.up, "Axis of THING that points up (default: z)")
       ->transform(CLI::CheckedTransformer(axes).description(""))
       ->type_name("x|y|z|-x|-y|-z");
+  const std::map<std::string, Mending> mendings{
+      {"none", Mending::none}, {"small", Mending::small}, {"wrap", Mending::wrap}};
+  command
+      .add_option("--repair", a.mending,
+                  "Repair of a surface. none: refuse every fault; small (default): seams, doubled "
+                  "and turned faces, small holes, overlapping shells; wrap: also close all holes")
+      ->transform(CLI::CheckedTransformer(mendings).description(""))
+      ->type_name("none|small|wrap");
   CLI::Option* number =
       command.add_option("--tetrahedra", a.tetrahedra, "Number of tetrahedra to come near to")
           ->type_name("N")
           ->capture_default_str()
           ->check(CLI::Range(1.0, 1e7));
+  CLI::Option* cell =
+      command
+          .add_option("--cell", a.cell,
+                      "Size of cells in place of their number: the edge of a cube of six")
+          ->type_name("LENGTH")
+          ->check(check_length)
+          ->excludes(number);
   command
-      .add_option("--cell", a.cell,
-                  "Size of cells in place of their number: the edge of a cube of six")
-      ->type_name("LENGTH")
-      ->check(check_length)
-      ->excludes(number);
+      .add_option("--time-budget", a.budget,
+                  "Time that the whole command may take: chooses the number of tetrahedra")
+      ->type_name("TIME")
+      ->check(check_time)
+      ->excludes(number)
+      ->excludes(cell);
   command
       .add_option("--mesher", a.mesher,
                   "Mesher to take (default: the first installed that succeeds)")
@@ -309,6 +155,9 @@ void add_break_command(CLI::App& program, ExitCode& exit_code) {
   add_blow_options(*command, *arguments);
   command->add_flag("--scene-only", arguments->scene_only,
                     "Write scene and mesh, and do not run them");
+#if defined(SUNDER_HAS_RENDERER)
+  command->add_flag("--no-film", arguments->no_film, "Make no film of the run");
+#endif
   command->add_flag("--force", arguments->force, "Replace a scene or mesh with other contents");
   add_telling_flags(*command, *arguments);
   command->footer(break_footer);
@@ -316,7 +165,10 @@ void add_break_command(CLI::App& program, ExitCode& exit_code) {
     if (!arguments->speed.empty() && !arguments->press && !arguments->bend) {
       throw CLI::ValidationError("--speed", "goes with --press or --bend");
     }
-    exit_code = break_thing(*arguments);
+    for (const char* name : {"--tetrahedra", "--cell", "--mesher", "--repair"}) {
+      if (command->count(name) > 0) arguments->filling.emplace_back(name);
+    }
+    exit_code = break_object(*arguments);
   });
 }
 

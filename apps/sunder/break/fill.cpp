@@ -7,17 +7,21 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <system_error>
 #include <utility>
 
-#include "apps/sunder/break/run_process.hpp"
+#include "apps/sunder/process/run_process.hpp"
 #include "topology/base/counted.hpp"
 #include "topology/base/elementary.hpp"
 #include "topology/io/files/output_file.hpp"
 #include "topology/io/mesh_file.hpp"
+#include "topology/mesh/boundary_surface.hpp"
 #include "topology/mesh/check.hpp"
 #include "topology/mesh/repair.hpp"
+#include "topology/mesh/surface/enclosure.hpp"
+#include "topology/mesh/surface/repair/facing.hpp"
 
 namespace sunder {
 namespace {
@@ -29,6 +33,9 @@ constexpr std::chrono::seconds longest_wait{180};
 
 /// Counts within this factor of the wanted one are taken.
 constexpr double near_enough = 1.4;
+
+/// Above this factor another mesher is tried too, and the nearer count taken.
+constexpr double far_off = 2.5;
 
 /// A surface in a folder, for one mesher.
 struct Job {
@@ -174,6 +181,51 @@ double box_volume(const Thing& thing) {
   return side * side * side / 10;
 }
 
+/// Whether a shell of the surface looks inward.
+bool has_cavity(const Thing& thing) {
+  const std::vector<Triangle>& triangles = thing.surface.triangles.corners;
+  const std::vector<std::uint32_t> root = shells_of(triangles);
+  std::map<std::uint32_t, std::vector<Triangle>> shells;
+  for (std::size_t t = 0; t < triangles.size(); ++t) shells[root[t]].push_back(triangles[t]);
+  return std::ranges::any_of(shells, [&](const auto& shell) {
+    return enclosed_volume(thing.surface.points, shell.second) < 0;
+  });
+}
+
+/// Leaves tetrahedra out that lie in cavities, which meshers fill.
+void hollow_out(TetMesh& mesh, const Thing& thing) {
+  const Enclosure enclosure(thing.surface.points, thing.surface.triangles.corners);
+  FileMesh left;
+  left.points = std::move(mesh.points);
+  for (const auto& t : mesh.tetrahedra) {
+    Point middle{};
+    for (const std::uint32_t corner : t) {
+      for (std::size_t k = 0; k < 3; ++k) middle[k] += left.points[corner][k] / 4;
+    }
+    if (enclosure.holds(middle)) left.tetrahedra.corners.push_back(t);
+  }
+  drop_unused_points(left);
+  mesh = tet_mesh_of(std::move(left));
+}
+
+/// Errors of volume and distance, after cavities are left out.
+void measure(Filled& filled, const Thing& thing) {
+  const auto volume_error = [&] { return volume_of(filled.mesh) / thing.volume - 1; };
+  if (thing.volume > 0) {
+    filled.volume_error = volume_error();
+    if (filled.volume_error > 1e-3 && has_cavity(thing)) {
+      hollow_out(filled.mesh, thing);
+      filled.volume_error = volume_error();
+    }
+  }
+  FileMesh body;
+  body.points = filled.mesh.points;
+  body.tetrahedra.corners = filled.mesh.tetrahedra;
+  const FileMesh skin = boundary_surface(body).mesh;
+  filled.gap = gap_between(thing.surface.points, thing.surface.triangles.corners, skin.points,
+                           skin.triangles.corners);
+}
+
 /// Notes and the error of a filled surface.
 std::vector<Finding> judged(const Filled& filled, double wanted) {
   std::vector<Finding> findings;
@@ -182,9 +234,8 @@ std::vector<Finding> judged(const Filled& filled, double wanted) {
         {.code = "wrong_volume",
          .text = fmt::format("{} filled {:.1f} % more or less volume than the surface encloses",
                              filled.mesher, 100 * std::abs(filled.volume_error)),
-         .remedy =
-             "cavities are filled too: leave them out, or give a mesh of tetrahedra; for thin "
-             "walls take more --tetrahedra"});
+         .remedy = "take more --tetrahedra for thin walls, another --mesher, or give a mesh of "
+                   "tetrahedra"});
   }
   const auto count = filled.mesh.tetrahedra.size();
   if (static_cast<double>(count) > 2 * wanted) {
@@ -197,6 +248,19 @@ std::vector<Finding> judged(const Filled& filled, double wanted) {
                                   "gmsh, which makes triangles of its own"});
   }
   return findings;
+}
+
+/// What a mesher made of a surface, measured and judged.
+Result<Filled> filled_by(const Mesher& mesher, const Job& job, const Thing& thing,
+                         double tetrahedra) {
+  Result<TetMesh> mesh = come_near(mesher, job, tetrahedra);
+  if (!mesh) return mesh.findings.front();
+  Result<Filled> filled = Filled{std::move(*mesh), mesher.name};
+  measure(*filled, thing);
+  std::vector<Finding> findings = judged(*filled, tetrahedra);
+  if (has_error(findings)) return findings.front();
+  filled.findings = std::move(findings);
+  return filled;
 }
 
 }  // namespace
@@ -221,23 +285,22 @@ Result<Filled> fill(const Thing& thing, double tetrahedra, const std::string& wa
   }
   const double volume = thing.volume > 0 ? thing.volume : box_volume(thing);
   std::vector<std::string> reasons;
+  Result<Filled> best;
   for (const Mesher* mesher : in_order(thing, tetrahedra, wanted)) {
     const auto program = find_program(mesher->name);
     if (!program) continue;
-    Result<TetMesh> mesh = come_near(*mesher, {*program, folder.path(), volume}, tetrahedra);
-    if (!mesh) {
-      reasons.push_back(fmt::format("{}: {}", mesher->name, mesh.findings.front().text));
-      continue;
-    }
-    Result<Filled> filled = Filled{std::move(*mesh), mesher->name};
-    if (thing.volume > 0) filled->volume_error = volume_of(filled->mesh) / thing.volume - 1;
-    filled.findings = judged(*filled, tetrahedra);
-    if (has_error(filled.findings)) {
+    Result<Filled> filled =
+        filled_by(*mesher, {*program, folder.path(), volume}, thing, tetrahedra);
+    if (!filled) {
       reasons.push_back(fmt::format("{}: {}", mesher->name, filled.findings.front().text));
       continue;
     }
-    return filled;
+    if (!best || off_by(filled->mesh, tetrahedra) < off_by(best->mesh, tetrahedra)) {
+      best = std::move(filled);
+    }
+    if (off_by(best->mesh, tetrahedra) <= far_off) return best;
   }
+  if (best) return best;
   if (reasons.empty()) return no_mesher(wanted);
   return Finding{.code = "not_filled",
                  .text = fmt::format("the surface cannot be filled; {}", fmt::join(reasons, "; ")),

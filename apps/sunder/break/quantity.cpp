@@ -43,6 +43,16 @@ std::optional<double> speed_of(std::string_view text) {
   return std::nullopt;
 }
 
+std::optional<double> time_of(std::string_view text) {
+  const auto parts = taken_apart(text);
+  if (!parts) return std::nullopt;
+  const auto& [number, unit] = *parts;
+  if (unit.empty() || unit == "s") return number;
+  if (unit == "min") return number * 60;
+  if (unit == "h") return number * 3600;
+  return std::nullopt;
+}
+
 std::optional<ThrownBall> ball_of(std::string_view text) {
   const std::size_t at = text.find('@');
   if (at == std::string_view::npos) return std::nullopt;
@@ -62,11 +72,16 @@ std::string check_speed(const std::string& text) {
   return speed_of(text) ? "" : fmt::format("'{}' is no speed above 0: give 20m/s or 30km/h", text);
 }
 
+std::string check_time(const std::string& text) {
+  return time_of(text) ? "" : fmt::format("'{}' is no time above 0: give 90s, 2min or 1h", text);
+}
+
 std::string check_ball(const std::string& text) {
   return ball_of(text) ? "" : fmt::format("'{}' is not DIAMETER@SPEED: give 50mm@20m/s", text);
 }
 
 std::string length_words(double metres) {
+  if (metres < 1e-9) return "0 mm";  // rounding
   if (metres < 1e-3) return fmt::format("{:.3g} um", metres * 1e6);
   if (metres < 1) return fmt::format("{:.3g} mm", metres * 1e3);
   return fmt::format("{:.3g} m", metres);

@@ -25,10 +25,6 @@ namespace {
 /// Above it nobody drops a thing that is so many metres long.
 constexpr double longest_in_metres = 3;
 
-Finding refused(const char* code, std::string text, std::string remedy) {
-  return {.code = code, .text = std::move(text), .remedy = std::move(remedy)};
-}
-
 /// Leaves triangles with an area and their points, which are one where they lie at one place.
 FileMesh plain_surface(FileMesh&& mesh) {
   split_cells(mesh);
@@ -42,46 +38,6 @@ FileMesh plain_surface(FileMesh&& mesh) {
   return surface;
 }
 
-/// Why a surface encloses no solid; none where it does.
-std::optional<Finding> fault_of(const SurfaceCheck& check) {
-  const auto count_of = [&](std::string_view code) {
-    const auto found = std::ranges::find(check.findings, code, &Finding::code);
-    return found == check.findings.end() ? std::size_t{0} : found->count;
-  };
-  if (check.triangles == 0) {
-    return refused("no_faces", "the file has neither tetrahedra nor faces with an area",
-                   "give a closed surface (STL, OBJ, PLY, OFF) or a mesh of tetrahedra");
-  }
-  if (check.boundary_edges > 0) {
-    return refused("open_surface",
-                   fmt::format("the surface is open: {} of one face only",
-                               counted(check.boundary_edges, "edge", "edges")),
-                   "close its holes, in Blender by Mesh > Clean Up > Fill Holes; give a sheet a "
-                   "thickness, in Blender by the modifier Solidify");
-  }
-  if (const std::size_t edges = count_of("nonmanifold_edge"); edges > 0) {
-    return refused("nonmanifold_surface",
-                   fmt::format("three faces or more meet at {}", counted(edges, "edge", "edges")),
-                   "remove inner walls and doubled faces, in Blender by the modifier Remesh");
-  }
-  if (check.crosses_itself == true) {
-    return refused("self_intersection",
-                   fmt::format("the surface crosses itself: {} of faces go through each other",
-                               counted(count_of("self_intersection"), "pair", "pairs")),
-                   "join the parts into one surface, in Blender by the modifier Boolean or Remesh, "
-                   "in OpenSCAD by union()");
-  }
-  if (!check.volume) return std::nullopt;  // some faces look inward: the mesher does not mind
-  if (std::abs(*check.volume) > 0) return std::nullopt;
-  return refused("no_volume", "the surface encloses no volume", "give the object a thickness");
-}
-
-/// Volume without sign: of faces in disorder from the box, as a bound.
-double volume_of(const SurfaceCheck& check) {
-  if (check.volume) return std::abs(*check.volume);
-  return 0;
-}
-
 Result<Thing> as_solid(FileMesh&& mesh, std::vector<Finding> findings) {
   Result<Thing> result;
   Thing thing{.solid = tet_mesh_of(std::move(mesh))};
@@ -93,7 +49,7 @@ Result<Thing> as_solid(FileMesh&& mesh, std::vector<Finding> findings) {
 
 }  // namespace
 
-Result<Thing> read_thing(const std::filesystem::path& path) {
+Result<Thing> read_thing(const std::filesystem::path& path, Mending mending) {
   Result<FileMesh> mesh = read_file_mesh(path);
   Result<Thing> result;
   if (!mesh) {
@@ -107,14 +63,9 @@ Result<Thing> read_thing(const std::filesystem::path& path) {
     else
       result.findings = std::move(mesh.findings);
   } else {
-    Thing thing{.surface = plain_surface(std::move(*mesh))};
-    const SurfaceCheck check = check_surface(thing.surface);
-    if (std::optional<Finding> fault = fault_of(check)) {
-      result.findings.push_back(std::move(*fault));
-    } else {
-      thing.volume = volume_of(check);
-      result.value = std::move(thing);
-    }
+    Result<Mended> mended = mend(plain_surface(std::move(*mesh)), mending);
+    if (mended) result.value = Thing{{}, std::move(mended->surface), mended->volume};
+    result.findings = std::move(mended.findings);
   }
   for (Finding& f : result.findings) {
     if (f.file.empty()) f.file = path.string();

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "apps/sunder/break/mend.hpp"
 #include "topology/base/finding.hpp"
 #include "topology/base/tet_mesh.hpp"
 #include "topology/mesh/file_mesh.hpp"
@@ -24,10 +25,10 @@ struct Thing {
   bool is_solid() const { return !solid.tetrahedra.empty(); }
 };
 
-/// Reads any file of a surface or a body. Coincident points of a surface become one, and triangles
-/// without area are dropped. Errors, each with a remedy: those of `read_file_mesh` and
-/// `check_mesh`, no_faces, open_surface, self_intersection, nonmanifold_surface, no_volume.
-Result<Thing> read_thing(const std::filesystem::path& path);
+/// Reads any file of a surface or a body. Coincident points of a surface become one, triangles
+/// without area are dropped, and the rest is repaired as far as `mending` allows. Errors, each with
+/// a remedy: those of `read_file_mesh`, `check_mesh` and `mend`.
+Result<Thing> read_thing(const std::filesystem::path& path, Mending mending = Mending::small);
 
 /// The longest side of the box around the thing, in the file's unit.
 double longest_side(const Thing& thing);

@@ -79,6 +79,14 @@ Result<ResultFrame> read_frame(const std::filesystem::path& path, double time) {
     frame.position.push_back(x);
     frame.reference.push_back(x - Vec3(u[3 * v], u[3 * v + 1], u[3 * v + 2]));
   }
+  const DataColumn* move = column_of(mesh->point_data, "crack_move");
+  if (move != nullptr && std::holds_alternative<std::vector<double>>(move->values)) {
+    const auto& m = std::get<std::vector<double>>(move->values);
+    for (std::size_t v = 0; v < m.size() / 3; ++v) {
+      frame.crack_move.emplace_back(m[3 * v], m[3 * v + 1], m[3 * v + 2]);
+    }
+    if (frame.crack_move.size() != frame.position.size()) frame.crack_move.clear();
+  }
   frame.tetrahedra = mesh->tetrahedra.corners;
   frame.component = std::get<std::vector<std::int64_t>>(component->values);
   result.value = std::move(frame);

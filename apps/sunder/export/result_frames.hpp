@@ -17,10 +17,11 @@ namespace sunder {
 /// One VTU frame. Tetrahedra keep their rows and the order of their corners through a run; vertices
 /// that split are appended.
 struct ResultFrame {
-  double time = 0;              ///< s
-  std::filesystem::path file;   ///< it was read from
-  std::vector<Vec3> position;   ///< m, a vertex
-  std::vector<Vec3> reference;  ///< m, a vertex: where its piece's rigid reference has it
+  double time = 0;               ///< s
+  std::filesystem::path file;    ///< it was read from
+  std::vector<Vec3> position;    ///< m, a vertex
+  std::vector<Vec3> reference;   ///< m, a vertex: where its piece's rigid reference has it
+  std::vector<Vec3> crack_move;  ///< m, a vertex: brings crack faces near their planes; may be none
   std::vector<std::array<std::uint32_t, 4>> tetrahedra;
   std::vector<std::int64_t> component;  ///< a tetrahedron
   std::vector<Obstacle> obstacles;      ///< where they are; none where the report has none

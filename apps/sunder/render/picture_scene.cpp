@@ -83,7 +83,8 @@ render::FrameScene picture_scene(const PictureBodies& bodies, std::span<const Ob
 }
 
 RunView run_view(const PictureBodies& start, std::span<const Obstacle> obstacles,
-                 const PictureSettings& settings, const Vec3& gravity) {
+                 const PictureSettings& settings, const Vec3& gravity,
+                 const render::Bounds& later) {
   const Vec3 up = gravity.norm() > 0 ? Vec3(-gravity.normalized()) : Vec3::UnitZ();
   std::vector<Obstacle> still;
   for (const Obstacle& obstacle : obstacles) {
@@ -92,6 +93,7 @@ RunView run_view(const PictureBodies& start, std::span<const Obstacle> obstacles
   }
   RunView view;
   view.extent = render::scene_bounds(picture_scene(start, still, ShownShape::deformed, {}));
+  if (!later.isEmpty()) view.extent.extend(later);
   add_shadow(view.extent, obstacles, up);
   if (settings.camera) {
     const CameraSettings& camera = *settings.camera;

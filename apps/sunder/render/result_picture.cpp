@@ -53,6 +53,10 @@ FramePicture frame_picture(const ResultFrame& frame, const std::vector<char>& fi
   PictureBodies& bodies = picture.bodies;
   bodies.reference = frame.reference;
   bodies.deformed = frame.position;
+  for (std::size_t v = 0; v < frame.crack_move.size(); ++v) {
+    bodies.reference[v] += frame.crack_move[v];
+    bodies.deformed[v] += frame.crack_move[v];
+  }
   bodies.corners = picture.corners;
   bodies.component = picture.component;
   const std::vector<char> boundary = boundary_of(frame);
@@ -64,6 +68,21 @@ FramePicture frame_picture(const ResultFrame& frame, const std::vector<char>& fi
   }
   if (explode > 0) explode_pieces(bodies, explode, up);
   return picture;
+}
+
+render::Bounds bounds_of_large(const ResultFrame& frame, const render::Bounds& start) {
+  std::map<std::int64_t, std::size_t> size;
+  for (const std::int64_t c : frame.component) ++size[c];
+  render::Bounds bounds;
+  for (std::size_t t = 0; t < frame.tetrahedra.size(); ++t) {
+    if (100 * size[frame.component[t]] < frame.tetrahedra.size()) continue;
+    for (const std::uint32_t corner : frame.tetrahedra[t]) {
+      bounds.extend(frame.reference[corner].cast<float>());
+    }
+  }
+  if (bounds.isEmpty() || start.isEmpty()) return bounds;
+  const Eigen::Vector3f margin = Eigen::Vector3f::Constant(start.diagonal().norm());
+  return bounds.intersection(render::Bounds(start.min() - margin, start.max() + margin));
 }
 
 }  // namespace sunder

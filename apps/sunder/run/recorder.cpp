@@ -10,6 +10,7 @@
 
 #include "apps/output/frame.hpp"
 #include "apps/output/history.hpp"
+#include "apps/output/smooth_cracks.hpp"
 #include "apps/output/tables.hpp"
 #include "apps/scene/json_text.hpp"
 #include "apps/sunder/run/due_steps.hpp"
@@ -170,7 +171,11 @@ std::vector<Finding> Recorder::Parts::write_log() {
 
 std::vector<Finding> Recorder::Parts::write_frame_of(const Simulation& now) {
   const std::string name = frame_name(done.frames.size());
-  std::vector<Finding> findings = write_frame(folder / name, now);
+  std::vector<Vec3> moves;
+  if (file.output.crack_surface == CrackSurface::smooth) {
+    moves = smooth_crack_moves(now.state->cells);
+  }
+  std::vector<Finding> findings = write_frame(folder / name, now, moves);
   if (has_error(findings)) return findings;
   done.frames.push_back({now.state->mechanics.time, name});
   done.last_frame = now.state->step;

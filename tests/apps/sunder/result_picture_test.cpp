@@ -63,6 +63,31 @@ TEST_CASE("pieces drawn apart move from the middle, none of them down", "[render
   CHECK(way(4).norm() < 1e-14);
 }
 
+TEST_CASE("moves of cracks show in pictures alone", "[render]") {
+  std::vector<ResultFrame> frames = two_pieces();
+  frames[1].crack_move.assign(frames[1].reference.size(), Vec3::Zero());
+  frames[1].crack_move[5] = {0.1, 0, 0};
+  const FramePicture picture = frame_picture(frames[1], boundary_of(frames[0]), 0, Vec3::UnitZ());
+  CHECK(picture.bodies.reference[5] == Vec3(0.1, 0, 0));
+  CHECK(picture.bodies.deformed[5] == Vec3(0.1, 0, 0));
+  CHECK(frames[1].reference[5] == Vec3(0, 0, 0));
+}
+
+TEST_CASE("a film's camera sees large pieces, and none that flew far away", "[render]") {
+  ResultFrame frame = two_pieces()[1];
+  const render::Bounds start(Eigen::Vector3f(0, 0, -1), Eigen::Vector3f(1, 1, 1));
+  CHECK(bounds_of_large(frame, start).max().isApprox(Eigen::Vector3f(1, 1, 1)));
+  frame.reference[4] = {0, 0, -100};
+  const float margin = start.diagonal().norm();
+  CHECK(bounds_of_large(frame, start).min()[2] == Approx(-1 - margin));
+  // Of 201 tetrahedra one is small.
+  for (int k = 0; k < 199; ++k) {
+    frame.tetrahedra.push_back(frame.tetrahedra[0]);
+    frame.component.push_back(frame.component[0]);
+  }
+  CHECK(bounds_of_large(frame, start).min()[2] == 0);
+}
+
 TEST_CASE("obstacles of a report are read back", "[render]") {
   TriangleSurface cone;
   cone.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};

@@ -6,7 +6,7 @@
 #include <fstream>
 
 #include "apps/scene/scene_json.hpp"
-#include "apps/sunder/break/run_process.hpp"
+#include "apps/sunder/process/run_process.hpp"
 #include "tests/apps/sunder/break/surfaces.hpp"
 #include "tests/support/program.hpp"
 
@@ -104,7 +104,7 @@ TEST_CASE("each mistake of sunder break has its exit code and leaves no file", "
     int exit_code;
     const char* said;
   } cases[] = {{{open}, 3, "open_surface"},
-               {{crossing}, 3, "self_intersection"},
+               {{crossing, "--repair", "none"}, 3, "self_intersection"},
                {{here.path("none.stl")}, 3, "cannot_open"},
                {{cube, "--material", "glas"}, 2, "did you mean glass?"},
                {{cube, "--drop", "1m", "--press"}, 2, "excludes"},
@@ -113,6 +113,9 @@ TEST_CASE("each mistake of sunder break has its exit code and leaves no file", "
                {{cube, "--speed", "1m/s"}, 2, "--press or --bend"},
                {{cube, "--tetrahedra", "0"}, 2, ""},
                {{cube, "--mesher", "blender"}, 2, ""},
+               {{cube, "--repair", "magic"}, 2, ""},
+               {{cube, "--time-budget", "soon"}, 2, "is no time"},
+               {{cube, "--time-budget", "2min", "--tetrahedra", "500"}, 2, "excludes"},
                {{cube, "--units", "parsec"}, 2, ""}};
   for (const auto& c : cases) {
     std::vector<std::string> words = {"break", "-o", out};
@@ -130,4 +133,46 @@ TEST_CASE("each mistake of sunder break has its exit code and leaves no file", "
   CHECK(outcome.exit_code == 3);
   CHECK(outcome.err.find("no_mesher") != std::string::npos);
   CHECK_FALSE(std::filesystem::exists(out));
+}
+
+TEST_CASE("options about filling are not ignored in silence for a file of tetrahedra", "[break]") {
+  const Workplace here;
+  const std::vector<std::string> words = {
+      "break", sample_mesh("cube.msh"), "--size", "20cm", "--scene-only", "-o", here.path("out")};
+  CHECK(here.run(words).err.find("filled_already") == std::string::npos);
+  std::vector<std::string> more = words;
+  for (const char* word : {"--tetrahedra", "900", "--mesher", "gmsh"}) more.emplace_back(word);
+  const Outcome told = here.run(more);
+  CHECK(told.exit_code == 0);
+  CHECK(told.err.find("--tetrahedra, --mesher without effect") != std::string::npos);
+  CHECK(told.err.find("sunder refine") != std::string::npos);
+}
+
+TEST_CASE("a time budget chooses cells, and says where none are few enough", "[break]") {
+  const Workplace here;
+  const Outcome solid =
+      here.run({"break", sample_mesh("bunny.msh"), "--size", "15cm", "--drop", "3m",
+                "--time-budget", "1s", "--scene-only", "-o", here.path("solid")});
+  INFO(solid.text());
+  CHECK(solid.exit_code == 0);
+  CHECK(solid.err.find("over_budget") != std::string::npos);
+  CHECK(solid.err.find("no film: it would take") != std::string::npos);
+  if (!find_program("tetgen") && !find_program("gmsh")) {
+    WARN("skipped: tetgen is not installed");
+    return;
+  }
+  const std::string cube = here.write("cube.off", cube_off());
+  std::vector<std::size_t> counts;
+  for (const char* budget : {"50s", "5min"}) {
+    const std::string out = here.path(std::string("out") + budget);
+    const Outcome made = here.run({"break", cube, "--size", "20cm", "--drop", "3m", "--material",
+                                   "plaster", "--time-budget", budget, "--scene-only", "-o", out});
+    INFO(made.text());
+    REQUIRE(made.exit_code == 0);
+    CHECK(made.err.find(std::string("fit into ") + budget) != std::string::npos);
+    const Result<SceneFile> file = read_scene(out + "/cube.json");
+    REQUIRE(file);
+    counts.push_back(file->scene.bodies[0].mesh.tetrahedra.size());
+  }
+  CHECK(2 * counts[0] < counts[1]);
 }

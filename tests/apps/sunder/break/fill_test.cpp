@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "apps/sunder/break/run_process.hpp"
+#include "apps/sunder/process/run_process.hpp"
 #include "tests/apps/sunder/break/surfaces.hpp"
 #include "tests/support/program.hpp"
 #include "topology/mesh/check.hpp"

@@ -28,6 +28,18 @@ TEST_CASE("lengths and speeds have units, and SI without one", "[break]") {
   }
 }
 
+TEST_CASE("times have units, and seconds without one", "[break]") {
+  CHECK(time_of("90s") == Approx(90));
+  CHECK(time_of("2min") == Approx(120));
+  CHECK(time_of("1.5h") == Approx(5400));
+  CHECK(time_of("45") == Approx(45));
+  for (const char* text : {"", "soon", "-1s", "0min", "2m", "1 year"}) {
+    INFO(text);
+    CHECK_FALSE(time_of(text));
+    CHECK_FALSE(check_time(text).empty());
+  }
+}
+
 TEST_CASE("a ball is a diameter and a speed", "[break]") {
   const auto ball = ball_of("50mm@20m/s");
   REQUIRE(ball);
@@ -45,4 +57,5 @@ TEST_CASE("lengths are said in the unit that suits them", "[break]") {
   CHECK(length_words(0.095) == "95 mm");
   CHECK(length_words(1.5) == "1.5 m");
   CHECK(length_words(2e-5) == "20 um");
+  CHECK(length_words(3e-17) == "0 mm");
 }

@@ -46,7 +46,8 @@ TEST_CASE("closed surfaces and meshes are taken", "[break]") {
 TEST_CASE("surfaces that enclose no solid are refused with a remedy", "[break]") {
   const Workplace here;
   CHECK(code_of(read_thing(here.write("open.off", cube_off(true)))) == "open_surface");
-  CHECK(code_of(read_thing(here.write("crossing.off", crossing_off()))) == "self_intersection");
+  CHECK(code_of(read_thing(here.write("crossing.off", crossing_off()), Mending::none)) ==
+        "self_intersection");
   const std::string wing =
       "OFF\n5 3 0\n0 0 0\n1 0 0\n0 1 0\n0 -1 0\n0 0 1\n3 0 1 2\n3 0 1 3\n3 0 1 4\n";
   CHECK(code_of(read_thing(here.write("wing.off", wing))) == "open_surface");
@@ -74,7 +75,7 @@ TEST_CASE("surfaces that enclose no solid are refused with a remedy", "[break]")
               std::to_string(rows[f[2]]) + "\n";
     }
   }
-  CHECK(code_of(read_thing(here.write("pair.off", pair))) == "nonmanifold_surface");
+  CHECK(code_of(read_thing(here.write("pair.off", pair), Mending::none)) == "nonmanifold_surface");
 }
 
 TEST_CASE("the unit is that of an option, or a guess that is told", "[break]") {

@@ -23,7 +23,7 @@ struct ProcessEnd {
 std::optional<std::filesystem::path> find_program(const std::string& name);
 
 /// Runs a program in `folder` and waits for it, at most `limit`; then it is killed. Standard input
-/// is empty. What it prints goes into a file of the folder.
+/// is empty. On Linux it ends with this process too. What it prints goes into a file of the folder.
 ProcessEnd run_process(const std::filesystem::path& program,
                        const std::vector<std::string>& arguments,
                        const std::filesystem::path& folder, std::chrono::seconds limit);

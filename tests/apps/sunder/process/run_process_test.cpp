@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Programs of others: found, run, ended.
-#include "apps/sunder/break/run_process.hpp"
+#include "apps/sunder/process/run_process.hpp"
 
 #include <catch2/catch.hpp>
 #include <cstdlib>

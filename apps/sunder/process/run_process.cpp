@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 // fork, exec, wait.
-#include "apps/sunder/break/run_process.hpp"
+#include "apps/sunder/process/run_process.hpp"
 
 #include <fcntl.h>
+#if defined(__linux__)
+#include <sys/prctl.h>
+#endif
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -23,6 +26,9 @@ constexpr const char* log_name = "printed.txt";
 
 /// In the child: only calls that are safe after fork.
 [[noreturn]] void become(const char* program, char* const* arguments, const char* folder) {
+#if defined(__linux__)
+  prctl(PR_SET_PDEATHSIG, SIGKILL);  // it does not outlive a parent that is killed
+#endif
   const int nothing = open("/dev/null", O_RDONLY);
   if (chdir(folder) != 0) _exit(127);
   const int log = open(log_name, O_WRONLY | O_CREAT | O_TRUNC, 0600);
