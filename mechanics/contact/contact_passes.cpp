@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "mechanics/contact/contact_step.hpp"
-#include "mechanics/contact/push_out.hpp"
 #include "mechanics/contact/detection/contact_overlaps.hpp"
+#include "mechanics/contact/push_out.hpp"
 #include "mechanics/contact/shapes/obstacle_geometry.hpp"
 
 namespace sunder {
