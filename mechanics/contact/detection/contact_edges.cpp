@@ -109,13 +109,16 @@ Bounds way_of_obstacle(const StepPaths& paths, std::uint32_t row) {
   return box;
 }
 
-/// Whether a plane through an edge leaves the faces of A above and those of B below, but for faces
-/// that count as flat: strains bend them. `normal`: unit.
+/// Whether a plane through an edge leaves the faces of A above and those of B below. `normal`:
+/// unit.
 bool fits(const MovingEdge& a, const MovingEdge& b, const Vec3& normal) {
+  // Strains bend the flat faces that lie on edges of obstacles. Faces of pieces that lie on each
+  // other are in the plane but for rounding.
+  const double level = a.is_obstacle || b.is_obstacle ? flat_sine : 1e-6;
   const auto is_above = [&](const MovingEdge& edge, const Vec3& up) {
     for (std::uint32_t k = 0; k < edge.besides; ++k) {
       const Vec3 beside = edge.beside[k] - edge.start[0];
-      if (up.dot(beside) < -flat_sine * beside.norm()) return false;
+      if (up.dot(beside) < -level * beside.norm()) return false;
     }
     return true;
   };
@@ -130,11 +133,13 @@ std::array<double, 2> nearest_shares(const MovingEdge& a, const MovingEdge& b, d
   return {(uv * v.dot(r) - vv * u.dot(r)) / across, (uu * v.dot(r) - uv * u.dot(r)) / across};
 }
 
-/// Whether a place of an edge is farther than this from its ends, whose vertices have contacts of
-/// their own, m.
-bool is_within(double share, const Vec3& edge, double from_ends) {
+/// Whether a place of an edge is far enough from its ends, which are left to their vertices.
+/// `rim`: m. Vertices of pieces also see the faces beside edges of other pieces.
+bool is_within(double share, const Vec3& edge, bool of_pieces, double rim) {
+  constexpr double share_of_vertices = 0.02;
   const double length = edge.norm();
-  return share * length > from_ends && (1 - share) * length > from_ends;
+  const double ends = of_pieces ? std::max(rim, share_of_vertices * length) : rim;
+  return share * length > ends && (1 - share) * length > ends;
 }
 
 std::optional<EdgeTouch> touch_of(const MovingEdge& a, const MovingEdge& b, double band) {
@@ -158,8 +163,9 @@ std::optional<EdgeTouch> touch_of(const MovingEdge& a, const MovingEdge& b, doub
   EdgeTouch touch;
   touch.normal = sign * normal_at(part).normalized();
   const auto [s, t] = nearest_shares(a, b, part);
-  if (!is_within(s, a.along(part), 2 * band)) return std::nullopt;
-  if (!is_within(t, b.along(part), 2 * band)) return std::nullopt;
+  const bool of_pieces = !a.is_obstacle && !b.is_obstacle;
+  if (!is_within(s, a.along(part), of_pieces, 2 * band)) return std::nullopt;
+  if (!is_within(t, b.along(part), of_pieces, 2 * band)) return std::nullopt;
   touch.share_a = s;
   touch.share_b = t;
   const Vec3 from = a.at(s, 0) - b.at(t, 0), to = a.at(s, 1) - b.at(t, 1);
