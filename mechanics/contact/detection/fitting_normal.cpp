@@ -91,6 +91,8 @@ std::optional<Vec3> fitting_normal(const Vec3& normal, std::span<const Vec3> way
 
 void turn_to_fit(FaceTouch& touch, const StepPaths& paths, const PieceSurface& surface,
                  double rim) {
+  // A vertex inside leaves by the face that it is nearest to.
+  if (touch.gap_start < -rim) return;
   std::vector<Vec3> ways;
   add_ways_of_a(ways, touch, paths, surface);
   if (!worst_way(touch.normal, ways)) return;

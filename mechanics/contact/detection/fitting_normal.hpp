@@ -18,8 +18,8 @@ std::optional<Vec3> fitting_normal(const Vec3& normal, std::span<const Vec3> way
 
 /// Turns the normal of a vertex that comes to an edge or a corner of another piece, where its own
 /// surface does not allow the normal of the face: ridges that cross at a vertex push each other
-/// along what is across both. `rim`: m, how far from an edge is still on it. Gaps follow. A touch
-/// that fits, or that nothing makes fit, stays.
+/// along what is across both. `rim`: m, how far from an edge, or within a face, is still on it.
+/// Gaps follow. A touch that fits, one that lies deeper, or that nothing makes fit, stays.
 void turn_to_fit(FaceTouch& touch, const StepPaths& paths, const PieceSurface& surface, double rim);
 
 }  // namespace sunder
