@@ -18,6 +18,7 @@
 #include "apps/sunder/mesh/cut.hpp"
 #include "apps/sunder/mesh/refine.hpp"
 #include "apps/sunder/mesh/split.hpp"
+#include "apps/sunder/process/run_process.hpp"
 #include "apps/sunder/program.hpp"
 #include "apps/sunder/run/run.hpp"
 #include "apps/sunder/shell/shell_files.hpp"
@@ -62,7 +63,7 @@ constexpr OptionalCommand view_command = {
 
 /// The path of sunder-bench: in the folder of this program.
 std::filesystem::path bench_program() {
-  return std::filesystem::read_symlink("/proc/self/exe").parent_path() / "sunder-bench";
+  return sunder::own_program().parent_path() / "sunder-bench";
 }
 
 /// Reports a command that is not built.

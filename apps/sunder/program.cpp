@@ -22,6 +22,7 @@
 
 #include "apps/scene/scene_text.hpp"
 #include "apps/scene/words.hpp"
+#include "apps/sunder/process/run_process.hpp"
 #include "topology/base/limits.hpp"
 #include "topology/base/split_text.hpp"
 #include "topology/io/files/output_file.hpp"
@@ -247,8 +248,8 @@ std::vector<const CLI::Option*> all_options(const CLI::App& command) {
 std::string program_word() {
   namespace fs = std::filesystem;
   std::error_code error;
-  const fs::path own = fs::read_symlink("/proc/self/exe", error);
-  if (error) return "sunder";
+  const fs::path own = own_program();
+  if (own.empty()) return "sunder";
   const char* const path = std::getenv("PATH");
   for (const std::string_view folder : split_text(path == nullptr ? "" : path, ':')) {
     const fs::path found = fs::path(folder) / "sunder";

@@ -9,7 +9,7 @@ namespace sunder {
 
 void divide(StepDivision& division, double way) {
   constexpr std::uint32_t most_patience = 64;
-  // Half an edge per part is what contacts on straight ways, and turns with them, are good for.
+  // Contacts on straight ways, and their turns, hold for about half an edge per part.
   const double asked = std::min(2 * way * division.parts, double(most_parts));
   division.limit = std::max(division.limit, std::bit_ceil(static_cast<std::uint32_t>(asked)));
   if (division.has_grown) division.patience = std::min(2 * division.patience, most_patience);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A step in parts of a power of two, as short as what passes in them asks for.
+// A step in parts of a power of two, short where pieces would pass each other.
 #pragma once
 
 #include <cstdint>

@@ -59,13 +59,13 @@ TEST_CASE("a block pressed between two planes bears E A times its strain", "[acc
 
 TEST_CASE("a beam between edges of boxes is as stiff as Timoshenko's, wherever its vertices are",
           "[accuracy][contact]") {
-  const double beside = GENERATE(0.0, 3e-4, 0.004);
-  INFO("edges " << beside << " m beside vertices");
-  const double h = 0.04, span = 0.4 - 2 * beside, speed = 0.002;
+  const double off = GENERATE(0.0, 3e-4, 0.004);
+  INFO("edges " << off << " m from vertices");
+  const double h = 0.04, span = 0.4 - 2 * off, speed = 0.002;
   TetMesh mesh = suite::kuhn_box({24, 2, 2}, 0.02);
   for (Point& p : mesh.points) p = {p[0] - 0.24, p[1] - 0.02, p[2]};
   Scene scene = pressed(mesh, 2);
-  scene.obstacles = {edge_at_place(-0.2 + beside, 0, false), edge_at_place(0.2 - beside, 0, false),
+  scene.obstacles = {edge_at_place(-0.2 + off, 0, false), edge_at_place(0.2 - off, 0, false),
                      edge_at_place(0, h, true)};
   scene.obstacles[2].velocity = {0, 0, -speed};
   const int steps = 40;

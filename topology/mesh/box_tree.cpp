@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 namespace sunder {
 namespace {
@@ -18,10 +19,8 @@ BoundingBox around(const BoxTree& tree, std::uint32_t begin, std::uint32_t end) 
   BoundingBox all = tree.boxes[tree.order[begin]];
   for (std::uint32_t i = begin + 1; i < end; ++i) {
     const BoundingBox& box = tree.boxes[tree.order[i]];
-    for (int k = 0; k < 3; ++k) {
-      all.low[k] = std::min(all.low[k], box.low[k]);
-      all.high[k] = std::max(all.high[k], box.high[k]);
-    }
+    extend(all, box.low);
+    extend(all, box.high);
   }
   return all;
 }
@@ -68,6 +67,14 @@ BoxTree box_tree(std::vector<BoundingBox> boxes) {
   std::iota(tree.order.begin(), tree.order.end(), 0U);
   if (!tree.order.empty()) build(tree, 0, static_cast<std::uint32_t>(tree.order.size()));
   return tree;
+}
+
+BoxTree box_tree(const std::vector<Point>& points,
+                 const std::vector<std::array<std::uint32_t, 3>>& triangles) {
+  std::vector<BoundingBox> boxes;
+  boxes.reserve(triangles.size());
+  for (const auto& t : triangles) boxes.push_back(box_around(points, t));
+  return box_tree(std::move(boxes));
 }
 
 }  // namespace sunder

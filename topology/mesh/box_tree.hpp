@@ -2,6 +2,8 @@
 // A tree of axis-parallel boxes that finds those which hold a point.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -14,6 +16,26 @@ namespace sunder {
 struct BoundingBox {
   Point low, high;
 };
+
+/// Extends a box to a point.
+constexpr void extend(BoundingBox& box, const Point& p) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    box.low[k] = std::min(box.low[k], p[k]);
+    box.high[k] = std::max(box.high[k], p[k]);
+  }
+}
+
+constexpr double longest_side(const BoundingBox& box) {
+  return std::max({box.high[0] - box.low[0], box.high[1] - box.low[1], box.high[2] - box.low[2]});
+}
+
+/// The box around rows of points. Needs: at least one row.
+template <class Rows>
+BoundingBox box_around(const std::vector<Point>& points, const Rows& rows) {
+  BoundingBox box{points[*std::begin(rows)], points[*std::begin(rows)]};
+  for (const std::uint32_t row : rows) extend(box, points[row]);
+  return box;
+}
 
 constexpr bool contains(const BoundingBox& box, const Point& p) {
   return box.low[0] <= p[0] && p[0] <= box.high[0] && box.low[1] <= p[1] && p[1] <= box.high[1] &&
@@ -44,6 +66,10 @@ struct BoxTree {
 
 /// Needs: finite boxes, fewer than 2^31. O(n log n).
 BoxTree box_tree(std::vector<BoundingBox> boxes);
+
+/// The tree of the boxes around triangles, one row each.
+BoxTree box_tree(const std::vector<Point>& points,
+                 const std::vector<std::array<std::uint32_t, 3>>& triangles);
 
 /// Calls `work(row)` for every box that `is_near(box)`, which has to be so of a node's box where it
 /// is of a box inside. Gives the number of nodes and boxes looked at: some log n where boxes hardly

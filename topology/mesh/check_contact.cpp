@@ -143,11 +143,8 @@ BoundingBox box_of(const Contact& c, std::uint32_t face) {
   const auto edges = edge_lengths(corners);
   const double margin = tolerance_for(c, std::max({edges[0], edges[1], edges[2]}));
   BoundingBox box{corners[0], corners[0]};
+  for (const Point& x : corners) extend(box, x);
   for (int k = 0; k < 3; ++k) {
-    for (const Point& x : corners) {
-      box.low[k] = std::min(box.low[k], x[k]);
-      box.high[k] = std::max(box.high[k], x[k]);
-    }
     box.low[k] -= margin;
     box.high[k] += margin;
   }

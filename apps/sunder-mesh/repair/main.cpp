@@ -84,8 +84,9 @@ int run(const Arguments& a) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App program("Joins overlapping shells of a surface, and cuts or wraps what crosses itself",
-                   "sunder-repair");
+  CLI::App program(
+      "Joins overlapping shells of a surface, and cuts or wraps faces that cross each other",
+      "sunder-repair");
   Arguments a;
   program.add_option("IN", a.in, "Surface of triangles: OFF, STL, OBJ, PLY")->required();
   program.add_option("OUT", a.out, "File to write")->required();

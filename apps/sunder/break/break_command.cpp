@@ -22,7 +22,7 @@ THING is a closed surface (STL, OBJ, PLY, OFF and others) or a mesh of tetrahedr
 `sunder convert --formats`. A surface is checked and filled with tetrahedra by a mesher that is
 installed: tetgen, gmsh or sunder-mesh. Each runs as a process of its own, for three minutes at most.
 Faults of a surface are repaired, and each repair is reported. sunder-repair, a program of its own,
-joins shells that overlap, and wraps what no other repair closes.
+joins shells that overlap, and wraps surfaces that no other repair closes.
 Lengths are numbers with a unit: 95mm, 3.5cm, 0.2m, 4in. Speeds are 20m/s or 30km/h.
 Without --size and --units a longest side above 3 is taken as millimetres, else as metres.
 The object is set down on the ground. One of --drop, --throw, --ball, --press and --bend breaks it.

@@ -23,6 +23,7 @@
 #include "apps/sunder/run/run.hpp"
 #include "fracture/scene/expected_time.hpp"
 #include "topology/base/counted.hpp"
+#include "topology/io/files/input_file.hpp"
 #include "topology/io/files/output_file.hpp"
 #include "topology/io/files/printing.hpp"
 #include "topology/io/mesh_file.hpp"
@@ -215,7 +216,7 @@ std::optional<TetMesh> mesh_of(Work& work) {
            .severity = Severity::warning,
            .text = fmt::format("the file has tetrahedra, which stay as they are: {} without effect",
                                fmt::join(a.filling, ", ")),
-           .remedy = "make them smaller: sunder refine; or fill its surface anew: sunder convert "
+           .remedy = "make them smaller: sunder refine; or fill its surface again: sunder convert "
                      "FILE surface.stl",
            .file = a.thing.string()}},
          a);
@@ -229,25 +230,24 @@ std::optional<TetMesh> mesh_of(Work& work) {
 /// Whether a file is there with other contents.
 bool differs(const fs::path& path, std::string_view text) {
   if (!file_exists(path)) return false;
-  std::ifstream in(path, std::ios::binary);
-  return std::string(std::istreambuf_iterator<char>(in), {}) != text;
+  const Result<std::string> bytes = io::bytes_of_file(path);
+  return !bytes || *bytes != text;
 }
 
 /// Writes scene and mesh. Nothing of the user's is replaced without --force.
 std::optional<Finding> write_scene(const BreakArguments& a, const fs::path& scene,
                                    const std::string& text, const fs::path& file,
                                    const TetMesh& mesh) {
-  const fs::path beside = fs::path(file).replace_extension(".new.msh");
+  const fs::path draft = fs::path(file).replace_extension(".new.msh");
   if (auto fault = make_folder(a.folder)) return fault;
-  for (Finding& f : write_mesh(beside, mesh)) {
+  for (Finding& f : write_mesh(draft, mesh)) {
     if (f.severity == Severity::error) return f;
   }
-  std::ifstream in(beside, std::ios::binary);
-  const std::string bytes(std::istreambuf_iterator<char>(in), {});
-  in.close();
+  const Result<std::string> bytes = io::bytes_of_file(draft);
   std::error_code none;
-  fs::remove(beside, none);
-  for (const auto& [path, content] : {std::pair{file, &bytes}, std::pair{scene, &text}}) {
+  fs::remove(draft, none);
+  if (!bytes) return bytes.findings.front();
+  for (const auto& [path, content] : {std::pair{file, &*bytes}, std::pair{scene, &text}}) {
     if (!a.force && differs(path, *content)) {
       return Finding{.code = "in_the_way",
                      .text = fmt::format("{} is there with other contents", path.string()),
@@ -255,7 +255,7 @@ std::optional<Finding> write_scene(const BreakArguments& a, const fs::path& scen
                      .file = path.string()};
     }
   }
-  if (auto fault = write_file(file, bytes)) return fault;
+  if (auto fault = write_file(file, *bytes)) return fault;
   return write_file(scene, text);
 }
 

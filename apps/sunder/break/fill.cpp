@@ -250,7 +250,7 @@ std::vector<Finding> judged(const Filled& filled, double wanted) {
   return findings;
 }
 
-/// What a mesher made of a surface, measured and judged.
+/// The mesh that a mesher made of a surface, measured and judged.
 Result<Filled> filled_by(const Mesher& mesher, const Job& job, const Thing& thing,
                          double tetrahedra) {
   Result<TetMesh> mesh = come_near(mesher, job, tetrahedra);

@@ -14,8 +14,7 @@
 #include "apps/sunder/process/run_process.hpp"
 #include "topology/base/counted.hpp"
 #include "topology/io/mesh_file.hpp"
-#include "topology/mesh/surface/repair/facing.hpp"
-#include "topology/mesh/surface/repair/holes.hpp"
+#include "topology/mesh/box_tree.hpp"
 #include "topology/mesh/surface/repair/surface_repair.hpp"
 #include "topology/mesh/surface/surface_gap.hpp"
 
@@ -105,15 +104,15 @@ std::optional<Finding> fault_of(const FileMesh& surface, const SurfaceCheck& che
   return refused("no_volume", "the surface encloses no volume", "give the object a thickness");
 }
 
-/// sunder-repair: beside this program, or in PATH.
+/// The program sunder-repair, in the folder of this program or in PATH.
 std::optional<fs::path> find_repairer() {
   std::error_code none;
-  const fs::path own = fs::read_symlink("/proc/self/exe", none).parent_path() / "sunder-repair";
+  const fs::path own = own_program().parent_path() / "sunder-repair";
   if (fs::is_regular_file(own, none)) return own;
   return find_program("sunder-repair");
 }
 
-/// A surface by sunder-repair, with the words for what it did; or why there is none.
+/// A surface by sunder-repair, and the words for its work.
 struct Healed {
   FileMesh surface;
   std::string words;
@@ -139,9 +138,10 @@ std::string words_of(const std::string& printed, double alpha) {
 }
 
 double longest_side(const FileMesh& surface) {
-  Rim all;
-  for (std::uint32_t p = 0; p < surface.points.size(); ++p) all.push_back(p);
-  return all.empty() ? 0 : width_of(surface.points, all);
+  if (surface.points.empty()) return 0;
+  BoundingBox box{surface.points[0], surface.points[0]};
+  for (const Point& p : surface.points) extend(box, p);
+  return longest_side(box);
 }
 
 Result<Healed> heal(const FileMesh& surface, bool wrap_only) {
@@ -192,10 +192,7 @@ Finding repaired(const FileMesh& before, const FileMesh& after, double old_volum
           .remedy = "look at the pictures; --repair none refuses faulty surfaces"};
 }
 
-std::optional<Finding> several_parts(const FileMesh& surface) {
-  const auto roots = shells_of(surface.triangles.corners);
-  std::size_t parts = 0;
-  for (std::size_t t = 0; t < roots.size(); ++t) parts += roots[t] == t;
+std::optional<Finding> several_parts(std::size_t parts) {
   if (parts < 2) return std::nullopt;
   return Finding{
       .code = "several_parts",
@@ -212,7 +209,7 @@ struct Patient {
   Mending mending;
   SurfaceCheck check = {};
   SurfaceRepair tried = {};
-  std::vector<std::string> words = {};  ///< for what was done
+  std::vector<std::string> words = {};  ///< for the repairs so far
   std::optional<Finding> fault = {};
 
   void look() {
@@ -264,7 +261,8 @@ Result<Mended> mend(FileMesh surface, Mending mending) {
   if (!patient.words.empty()) {
     result.findings.push_back(repaired(before, patient.surface, old_volume, volume, patient.words));
   }
-  if (auto parts = several_parts(patient.surface)) result.findings.push_back(std::move(*parts));
+  if (auto parts = several_parts(patient.check.components))
+    result.findings.push_back(std::move(*parts));
   result.value = Mended{std::move(patient.surface), volume};
   return result;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Faulty surfaces made into one that bounds a body, and what that changed.
+// Faulty surfaces made into one that bounds a body, with the changes.
 #pragma once
 
 #include <filesystem>
@@ -28,9 +28,9 @@ struct Mended {
   double volume = 0;  ///< that it encloses; 0 where some faces look inward
 };
 
-/// Repairs a surface of triangles as far as `mending` allows. `sunder-repair`, where it is beside
-/// this program or in PATH, joins and wraps. Notes: repaired (all changes, the largest distance and
-/// the change of volume), several_parts. Errors, each with place and remedy: no_faces,
+/// Repairs a surface of triangles as far as `mending` allows. `sunder-repair` joins and wraps,
+/// where it is in the folder of this program or in PATH. Notes: repaired (all changes, the largest
+/// distance and the change of volume), several_parts. Errors, each with place and remedy: no_faces,
 /// open_surface, nonmanifold_surface, self_intersection, no_volume.
 Result<Mended> mend(FileMesh surface, Mending mending);
 

@@ -13,6 +13,7 @@
 #include "topology/base/counted.hpp"
 #include "topology/io/mesh_file.hpp"
 #include "topology/mesh/boundary_surface.hpp"
+#include "topology/mesh/box_tree.hpp"
 #include "topology/mesh/check.hpp"
 #include "topology/mesh/kinds/split_cells.hpp"
 #include "topology/mesh/repair.hpp"
@@ -75,18 +76,12 @@ Result<Thing> read_thing(const std::filesystem::path& path, Mending mending) {
 
 double longest_side(const Thing& thing) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
-  Point low = {infinite, infinite, infinite}, high = {-infinite, -infinite, -infinite};
-  const auto extend = [&](const Point& p) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      low[axis] = std::min(low[axis], p[axis]);
-      high[axis] = std::max(high[axis], p[axis]);
-    }
-  };
+  BoundingBox box{{infinite, infinite, infinite}, {-infinite, -infinite, -infinite}};
   for (const auto& t : thing.solid.tetrahedra) {
-    for (const std::uint32_t corner : t) extend(thing.solid.points[corner]);
+    for (const std::uint32_t corner : t) extend(box, thing.solid.points[corner]);
   }
-  for (const Point& p : thing.surface.points) extend(p);
-  return std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
+  for (const Point& p : thing.surface.points) extend(box, p);
+  return longest_side(box);
 }
 
 ThingScale scale_of(const Thing& thing, std::optional<double> size, const std::string& units,

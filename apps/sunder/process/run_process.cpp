@@ -50,6 +50,11 @@ std::string last_words(const fs::path& log) {
 
 }  // namespace
 
+fs::path own_program() {
+  std::error_code unknown;
+  return fs::read_symlink("/proc/self/exe", unknown);
+}
+
 std::optional<fs::path> find_program(const std::string& name) {
   const char* path = std::getenv("PATH");
   std::string_view folders = path == nullptr ? "/usr/local/bin:/usr/bin:/bin" : path;

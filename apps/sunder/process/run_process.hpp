@@ -19,11 +19,14 @@ struct ProcessEnd {
   std::string words;
 };
 
+/// The path of this program; empty where the system does not know it.
+std::filesystem::path own_program();
+
 /// The path of a program in the folders of PATH; none where there is no such file to execute.
 std::optional<std::filesystem::path> find_program(const std::string& name);
 
 /// Runs a program in `folder` and waits for it, at most `limit`; then it is killed. Standard input
-/// is empty. On Linux it ends with this process too. What it prints goes into a file of the folder.
+/// is empty. On Linux it ends with this process too. Its output goes into a file of the folder.
 ProcessEnd run_process(const std::filesystem::path& program,
                        const std::vector<std::string>& arguments,
                        const std::filesystem::path& folder, std::chrono::seconds limit);

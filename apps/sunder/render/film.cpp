@@ -7,13 +7,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <string_view>
 
 #include "apps/sunder/process/run_process.hpp"
 #include "topology/base/counted.hpp"
 #include "topology/base/whole_number.hpp"
+#include "topology/io/files/input_file.hpp"
 #include "topology/io/files/output_file.hpp"
 #include "topology/io/files/printing.hpp"
 
@@ -115,11 +114,10 @@ std::optional<Finding> encode_film(const fs::path& encoder, const fs::path& pict
   for (const char* word : {"-map_metadata", "-1", "-fflags", "+bitexact"}) words.emplace_back(word);
   words.push_back(made);
   const ProcessEnd end = run_process(encoder, words, pictures, longest_encoding);
-  std::ifstream in(pictures / made, std::ios::binary);
-  const std::string bytes(std::istreambuf_iterator<char>(in), {});
+  const Result<std::string> bytes = io::bytes_of_file(pictures / made);
   std::error_code none;
   fs::remove(pictures / made, none);
-  if (end.exit_code != 0 || bytes.empty()) {
+  if (end.exit_code != 0 || !bytes || bytes->empty()) {
     std::string last = plain_line(end.words);
     return Finding{.code = "not_encoded",
                    .text = fmt::format("{} made no film{}{}", encoder.string(),
@@ -128,7 +126,7 @@ std::optional<Finding> encode_film(const fs::path& encoder, const fs::path& pict
                        "give another ending (.mp4, .webm, .gif), or a whole ffmpeg "
                        "(Debian: apt-get install ffmpeg)"};
   }
-  return write_file(film, bytes);
+  return write_file(film, *bytes);
 }
 
 }  // namespace sunder

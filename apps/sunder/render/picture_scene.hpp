@@ -36,7 +36,7 @@ render::FrameScene picture_scene(const PictureBodies& bodies, std::span<const Ob
                                  ShownShape show, const render::Bounds& extent);
 
 /// The camera asked for, or one that sees the bodies at the start, static obstacles, and the shadow
-/// on the ground; up is against gravity (z without any). `later`: what it sees besides, m.
+/// on the ground; up is against gravity (z without any). `later`: a box that it sees too, m.
 RunView run_view(const PictureBodies& start, std::span<const Obstacle> obstacles,
                  const PictureSettings& settings, const Vec3& gravity,
                  const render::Bounds& later = {});

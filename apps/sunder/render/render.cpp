@@ -95,7 +95,7 @@ class FramePainter {
   RunView view_;
 };
 
-/// What was drawn, as JSON, and the findings about it.
+/// The pictures drawn, as JSON, and the findings about them.
 struct Answer {
   nlohmann::ordered_json json;
   std::vector<Finding> findings;

@@ -16,6 +16,7 @@
 #include <thread>
 
 #include "apps/scene/scene_json.hpp"
+#include "apps/sunder/process/run_process.hpp"
 #include "apps/sunder/program.hpp"
 #include "apps/sunder/view/open_page.hpp"
 #include "apps/sunder/view/view_requests.hpp"
@@ -42,9 +43,9 @@ Examples:
 /// The page of an installed program, share/sunder/page near its own folder, or that of the build.
 std::filesystem::path usual_page() {
   std::error_code unknown;
-  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", unknown);
+  const std::filesystem::path program = own_program();
   const std::filesystem::path installed = program.parent_path().parent_path() / "share/sunder/page";
-  if (!unknown && std::filesystem::is_directory(installed, unknown)) return installed;
+  if (!program.empty() && std::filesystem::is_directory(installed, unknown)) return installed;
   return SUNDER_PAGE;
 }
 

@@ -115,14 +115,7 @@ void leave_out_seams(DetectScratch& scratch, const StepPaths& paths, double rim)
     }
     first = end;
   }
-  std::size_t kept = 0;
-  for (std::size_t k = 0; k < scratch.found.size(); ++k) {
-    if (is_out[k]) continue;
-    scratch.found[kept] = scratch.found[k];
-    scratch.found_gap[kept++] = scratch.found_gap[k];
-  }
-  scratch.found.resize(kept);
-  scratch.found_gap.resize(kept);
+  keep_found(scratch, [&](std::size_t k) { return !is_out[k]; });
 }
 
 /// Adds a contact of side A, as in `contact`, with another obstacle.

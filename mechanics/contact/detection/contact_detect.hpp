@@ -170,6 +170,20 @@ Vec3 end_of_side_a(const ContactPoint& contact, const StepPaths& paths);
 void add_found(DetectScratch& scratch, const StepPaths& paths, ContactPoint contact,
                double gap_end);
 
+/// Leaves out the contacts in `scratch.found` for which `stays(row)` is false. It may change the
+/// contact of its row.
+template <class Stays>
+void keep_found(DetectScratch& scratch, Stays stays) {
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < scratch.found.size(); ++k) {
+    if (!stays(k)) continue;
+    scratch.found[kept] = scratch.found[k];
+    scratch.found_gap[kept++] = scratch.found_gap[k];
+  }
+  scratch.found.resize(kept);
+  scratch.found_gap.resize(kept);
+}
+
 /// m: how deep solids that slide over a seam may dip into it and touch only their supports.
 inline double rim_of(const ContactSettings& settings) { return 2 * settings.allowed_penetration; }
 

@@ -134,7 +134,7 @@ std::array<double, 2> nearest_shares(const MovingEdge& a, const MovingEdge& b, d
 }
 
 /// Whether a place of an edge is far enough from its ends, which are left to their vertices.
-/// `rim`: m. Vertices of pieces also see the faces beside edges of other pieces.
+/// `rim`: m. Vertices of pieces also see the faces next to edges of other pieces.
 bool is_within(double share, const Vec3& edge, bool of_pieces, double rim) {
   constexpr double share_of_vertices = 0.02;
   const double length = edge.norm();
@@ -273,7 +273,7 @@ void find_between_edges(DetectScratch& scratch, const StepPaths& paths,
       const Bounds way = bounds_of(other);
       for (std::uint32_t row = 0; row < edges.size(); ++row) {
         if (!way.overlaps(boxes[row]) || !is_inside(paths, edges[row])) continue;
-        // Flat ones too: what lies on a long edge may have no vertex there.
+        // Flat edges too: a face that lies on a long edge may have no vertex there.
         meet_edges(moving_edge(paths, edges[row], row), other);
       }
     });

@@ -102,17 +102,12 @@ void leave_to_next_pass(ContactStep& step) {
   for (const ContactPoint& c : found.found) {
     if (c.gap_start <= rim) for_each_body(c, [&](std::size_t row) { rests[row] = 1; });
   }
-  std::size_t kept = 0;
-  for (std::size_t k = 0; k < found.found.size(); ++k) {
+  keep_found(found, [&](std::size_t k) {
     bool waits = found.found[k].gap_start > rim;
     for_each_body(found.found[k], [&](std::size_t row) { waits = waits && rests[row]; });
     step.has_left = step.has_left || waits;
-    if (waits) continue;
-    found.found[kept] = found.found[k];
-    found.found_gap[kept++] = found.found_gap[k];
-  }
-  found.found.resize(kept);
-  found.found_gap.resize(kept);
+    return !waits;
+  });
 }
 
 /// Finds contacts along the paths as they are predicted. False when there are blows on them that
@@ -198,15 +193,10 @@ std::vector<ComponentId> wake(ContactStep& step, double deepest) {
 /// Forgets contacts with components that stay on a lower rung: nothing overlaps these.
 void leave_alone(ContactStep& step) {
   DetectScratch& found = step.scratch.detect;
-  std::size_t kept = 0;
-  for (std::size_t k = 0; k < found.found.size(); ++k) {
+  keep_found(found, [&](std::size_t k) {
     const std::array<Component*, 2> sides = sides_of(step, found.found[k]);
-    if (on_lower_rung(sides[0]) || on_lower_rung(sides[1])) continue;
-    found.found[kept] = found.found[k];
-    found.found_gap[kept++] = found.found_gap[k];
-  }
-  found.found.resize(kept);
-  found.found_gap.resize(kept);
+    return !on_lower_rung(sides[0]) && !on_lower_rung(sides[1]);
+  });
 }
 
 }  // namespace

@@ -17,27 +17,6 @@
 namespace sunder {
 namespace {
 
-/// By the Gauss map: whether a vertex can come to rest on a face with this normal.
-bool fits(const StepPaths& paths, const PieceSurface& surface, const FaceTouch& touch) {
-  constexpr double about = 0.05;
-  const Vec3& from = paths.at_start(touch.vertex);
-  if (paths.is_corner(touch.vertex)) {
-    const CornerPath& corner = paths.corner_of(touch.vertex);
-    const Shape& shape = paths.obstacles[corner.obstacle].shape;
-    bool all = true;
-    for_each_neighbour(shape, corner.corner, [&](std::uint32_t end) {
-      const Vec3 along = corner_at(shape, end) - from;
-      all = all && touch.normal.dot(along) >= -about * along.norm();
-    });
-    return all;
-  }
-  for (VertexId end : surface.ring_of(touch.vertex)) {
-    const Vec3 along = paths.state.vertices.position[end.index()] - from;
-    if (touch.normal.dot(along) < -about * along.norm()) return false;
-  }
-  return true;
-}
-
 /// A tetrahedron as the step begins, and how it moves.
 struct Hull {
   std::array<Vec3, 4> normal, corner;  ///< of each face: unit, outward; one of its corners
@@ -186,7 +165,7 @@ const FaceTouch* nearest_rest(std::span<const FaceTouch> touches, const StepPath
   for (const FaceTouch& touch : touches) {
     if (touch.is_swept || touch.face.is_none()) continue;
     const double depth = std::max(0.0, -touch.gap_start - band) +
-                         (fits(paths, surface, touch) ? 0 : 0.01 * touch.size);
+                         (fits(touch, paths, surface) ? 0 : 0.01 * touch.size);
     if (best && std::pair(depth, -touch.gap_end) >= std::pair(least, -best->gap_end)) continue;
     best = &touch;
     least = depth;
@@ -249,7 +228,7 @@ const FaceTouch* deepest_on_way(std::span<const FaceTouch> touches, const StepPa
   bool best_fits = false;
   for (const FaceTouch& touch : touches) {
     if (!touch.is_swept || touch.are_partners || grazes(touch, paths, surface, supports)) continue;
-    const bool now = fits(paths, surface, touch);
+    const bool now = fits(touch, paths, surface);
     if (best && std::pair(!now, touch.gap_end) >= std::pair(!best_fits, best->gap_end)) continue;
     best = &touch;
     best_fits = now;

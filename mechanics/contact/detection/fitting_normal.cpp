@@ -26,21 +26,21 @@ std::optional<Vec3> worst_way(const Vec3& normal, std::span<const Vec3> ways) {
   return worst;
 }
 
-/// Unit ways along the surface of side A from its vertex.
-void add_ways_of_a(std::vector<Vec3>& ways, const FaceTouch& touch, const StepPaths& paths,
-                   const PieceSurface& surface) {
+/// Calls `visit(way)` for each way along the surface of side A from its vertex, m.
+template <class Visit>
+void for_each_way_of_a(const FaceTouch& touch, const StepPaths& paths, const PieceSurface& surface,
+                       Visit visit) {
   const Vec3& from = paths.at_start(touch.vertex);
   if (!paths.is_corner(touch.vertex)) {
     for (const VertexId end : surface.ring_of(touch.vertex)) {
-      ways.push_back((paths.at_start(end) - from).normalized());
+      visit(Vec3(paths.at_start(end) - from));
     }
     return;
   }
   const CornerPath& corner = paths.corner_of(touch.vertex);
   const Shape& shape = paths.obstacles[corner.obstacle].shape;
-  for_each_neighbour(shape, corner.corner, [&](std::uint32_t end) {
-    ways.push_back((corner_at(shape, end) - from).normalized());
-  });
+  for_each_neighbour(shape, corner.corner,
+                     [&](std::uint32_t end) { visit(Vec3(corner_at(shape, end) - from)); });
 }
 
 /// Unit ways against the surface of side B from its edge or corner at the place that is touched.
@@ -72,6 +72,21 @@ void add_ways_of_b(std::vector<Vec3>& ways, const FaceTouch& touch, const StepPa
 
 }  // namespace
 
+void add_ways(std::vector<Vec3>& ways, const StepPaths& paths, const PieceSurface& surface,
+              VertexId v) {
+  for (const VertexId end : surface.ring_of(v)) {
+    ways.push_back((paths.at_start(end) - paths.at_start(v)).normalized());
+  }
+}
+
+bool fits(const FaceTouch& touch, const StepPaths& paths, const PieceSurface& surface) {
+  bool all = true;
+  for_each_way_of_a(touch, paths, surface, [&](const Vec3& way) {
+    all = all && touch.normal.dot(way) >= -against * way.norm();
+  });
+  return all;
+}
+
 std::optional<Vec3> fitting_normal(const Vec3& normal, std::span<const Vec3> ways) {
   constexpr double least_cosine = 0.1;
   const std::optional<Vec3> first = worst_way(normal, ways);
@@ -92,13 +107,12 @@ std::optional<Vec3> fitting_normal(const Vec3& normal, std::span<const Vec3> way
 void turn_to_fit(FaceTouch& touch, const StepPaths& paths, const PieceSurface& surface,
                  double rim) {
   // A vertex inside leaves by the face that it is nearest to.
-  if (touch.gap_start < -rim) return;
+  if (touch.gap_start < -rim || fits(touch, paths, surface)) return;
   std::vector<Vec3> ways;
-  add_ways_of_a(ways, touch, paths, surface);
-  if (!worst_way(touch.normal, ways)) return;
-  const std::size_t of_a = ways.size();
   add_ways_of_b(ways, touch, paths, surface, rim);
-  if (ways.size() == of_a) return;
+  if (ways.empty()) return;
+  for_each_way_of_a(touch, paths, surface,
+                    [&](const Vec3& way) { ways.push_back(way.normalized()); });
   const std::optional<Vec3> normal = fitting_normal(touch.normal, ways);
   if (!normal) return;
   touch.normal = *normal;

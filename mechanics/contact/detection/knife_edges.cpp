@@ -26,10 +26,7 @@ double reach_along(const Shape& shape, const Vec3& direction) {
 bool turn(ContactPoint& contact, double& gap_end, std::vector<Vec3>& ways,
           const DetectScratch& scratch, const StepPaths& paths, double band) {
   ways.clear();
-  const Vec3& from = paths.at_start(contact.vertex);
-  for (const VertexId end : scratch.surface.ring_of(contact.vertex)) {
-    ways.push_back((paths.at_start(end) - from).normalized());
-  }
+  add_ways(ways, paths, scratch.surface, contact.vertex);
   const std::optional<Vec3> normal = fitting_normal(contact.normal, ways);
   if (!normal || *normal == contact.normal) return true;
   const Shape shape = shape_about_reference(paths.obstacles[contact.obstacle]);
@@ -52,22 +49,17 @@ bool has_edges(const Obstacle& obstacle) { return edge_count(obstacle.shape) > 0
 }  // namespace
 
 void turn_to_flat_surfaces(DetectScratch& scratch, const StepPaths& paths, double band) {
-  if (paths.neighbours.empty() || std::ranges::none_of(paths.obstacles, has_edges)) return;
+  const auto is_at_edges = [&](const ContactPoint& contact) {
+    return has_edges(paths.obstacles[contact.obstacle]);
+  };
+  if (paths.neighbours.empty() || std::ranges::none_of(scratch.found, is_at_edges)) return;
   update_surface(scratch.surface, paths.state.elements, paths.corners, paths.neighbours,
                  paths.state.vertices.size());
   std::vector<Vec3> ways;
-  std::size_t kept = 0;
-  for (std::size_t k = 0; k < scratch.found.size(); ++k) {
-    ContactPoint contact = scratch.found[k];
-    double gap_end = scratch.found_gap[k];
-    if (has_edges(paths.obstacles[contact.obstacle]) &&
-        !turn(contact, gap_end, ways, scratch, paths, band))
-      continue;
-    scratch.found[kept] = contact;
-    scratch.found_gap[kept++] = gap_end;
-  }
-  scratch.found.resize(kept);
-  scratch.found_gap.resize(kept);
+  keep_found(scratch, [&](std::size_t k) {
+    ContactPoint& contact = scratch.found[k];
+    return !is_at_edges(contact) || turn(contact, scratch.found_gap[k], ways, scratch, paths, band);
+  });
 }
 
 }  // namespace sunder

@@ -8,7 +8,7 @@
 FOLDER holds surfaces (STL, OBJ, PLY, OFF), none of which are ours to keep here. For each surface and
 mesher the table has the time on the wall, tetrahedra, volume error and the largest distance between
 skin and surface as a share of the longest side (20 cm), the smallest dihedral angle (degrees), repairs,
-and the code of a refusal. `auto` is what users get. The last
+and the code of a refusal. `auto` is the choice of `sunder break`. The last
 lines count the successes."""
 import argparse
 import csv

@@ -19,11 +19,11 @@ Obstacle knife(double x, double z) {
               {half, 0.3, half}}};
 }
 
-/// A plate on two knife edges without friction, `beside` (m) from its vertices and `below` (m) it.
-ContactScene plate_on_knives(double beside, double below = 0) {
+/// A plate on two knife edges without friction, `off` (m) from its vertices and `below` (m) it.
+ContactScene plate_on_knives(double off, double below = 0) {
   const Body plate = kuhn_block({8, 2, 1}, {0.8, 0.2, 0.05});
   ContactScene scene{plate, state_of(together({plate}), material_of(3e10))};
-  scene.obstacles = {knife(-0.3 + beside, -0.025 - below), knife(0.3 - beside, -0.025 - below)};
+  scene.obstacles = {knife(-0.3 + off, -0.025 - below), knife(0.3 - off, -0.025 - below)};
   for (Obstacle& o : scene.obstacles) o.friction = 0;
   scene.contact.friction = 0;
   scene.loads.gravity = {0, 0, -9.81};
@@ -35,10 +35,10 @@ ContactScene plate_on_knives(double beside, double below = 0) {
 
 TEST_CASE("a plate lies on two knife edges, and no side of them pushes it away",
           "[mechanics][contact]") {
-  const double beside = GENERATE(0.0, 1e-9, 1e-5, 2e-4, 1e-3, 0.03);
+  const double off = GENERATE(0.0, 1e-9, 1e-5, 2e-4, 1e-3, 0.03);
   const bool rigid = GENERATE(false, true);
-  INFO(beside << " m beside its vertices" << (rigid ? ", rigid" : ""));
-  ContactScene scene = plate_on_knives(beside);
+  INFO(off << " m from its vertices" << (rigid ? ", rigid" : ""));
+  ContactScene scene = plate_on_knives(off);
   scene.state.components[0].rigid = rigid;
   double weight = 0;
   for (int k = 0; k < 200; ++k) {
@@ -55,10 +55,10 @@ TEST_CASE("a plate lies on two knife edges, and no side of them pushes it away",
 }
 
 TEST_CASE("a plate that falls on two knife edges comes to rest on them", "[mechanics][contact]") {
-  const double beside = GENERATE(0.0, 1e-3, 0.01, 0.03);
+  const double off = GENERATE(0.0, 1e-3, 0.01, 0.03);
   const double step = GENERATE(1e-3, 1.0 / 240);
-  INFO(beside << " m beside its vertices, step " << step);
-  ContactScene scene = plate_on_knives(beside, 0.02);
+  INFO(off << " m from its vertices, step " << step);
+  ContactScene scene = plate_on_knives(off, 0.02);
   for (Obstacle& o : scene.obstacles) o.friction = 0.5;
   scene.contact.friction = 0.5;
   for (double time = 0; time < 0.6; time += step) scene.step_in_parts();

@@ -54,7 +54,8 @@ TEST_CASE("parts of a divided step follow each other and fill it", "[mechanics][
   }
 }
 
-TEST_CASE("a part is as short as what passes in it asks for, to a limit", "[mechanics][contact]") {
+TEST_CASE("a part is as short as the way of passing pieces asks for, to a limit",
+          "[mechanics][contact]") {
   const double way = GENERATE(0.1, 100.0, 3000.0, 1e9);
   const std::uint64_t moment = whole / 3, shortest = GENERATE(1ul, 64ul, 8192ul);
   INFO(way << " edges, shortest " << shortest);

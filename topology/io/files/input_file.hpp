@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Internal to topology/io: the bytes of files, and of those that lie next to a file.
+// The bytes of files, and of those that lie next to a file.
 #pragma once
 
 #include <filesystem>

@@ -128,15 +128,7 @@ Crossings find_crossings(const std::vector<Point>& points,
   std::ranges::copy_if(all, std::back_inserter(triangles),
                        [&](const SurfaceTriangle& t) { return has_area(points, t.corners); });
   std::vector<BoundingBox> boxes;
-  for (const SurfaceTriangle& t : triangles) {
-    BoundingBox& box = boxes.emplace_back(BoundingBox{points[t.corners[0]], points[t.corners[0]]});
-    for (const std::uint32_t c : t.corners) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        box.low[k] = std::min(box.low[k], points[c][k]);
-        box.high[k] = std::max(box.high[k], points[c][k]);
-      }
-    }
-  }
+  for (const SurfaceTriangle& t : triangles) boxes.push_back(box_around(points, t.corners));
   const BoxTree tree = box_tree(std::move(boxes));
   Crossings found;
   std::size_t left = looks_each * triangles.size() + 10000;

@@ -37,21 +37,9 @@ bool ray_meets(const std::array<Point, 3>& corners, const Point& p) {
 }  // namespace
 
 Enclosure::Enclosure(std::vector<Point> points, std::vector<std::array<std::uint32_t, 3>> triangles)
-    : points_(std::move(points)), triangles_(std::move(triangles)) {
-  std::vector<BoundingBox> boxes;
-  boxes.reserve(triangles_.size());
-  for (const auto& t : triangles_) {
-    BoundingBox box = {points_[t[0]], points_[t[0]]};
-    for (const std::uint32_t corner : t) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        box.low[k] = std::min(box.low[k], points_[corner][k]);
-        box.high[k] = std::max(box.high[k], points_[corner][k]);
-      }
-    }
-    boxes.push_back(box);
-  }
-  tree_ = box_tree(std::move(boxes));
-}
+    : points_(std::move(points)),
+      triangles_(std::move(triangles)),
+      tree_(box_tree(points_, triangles_)) {}
 
 bool Enclosure::holds(const Point& p) const {
   bool inside = false;

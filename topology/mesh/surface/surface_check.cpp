@@ -12,20 +12,13 @@
 #include "topology/base/union_find.hpp"
 #include "topology/mesh/kinds/move_cells.hpp"
 #include "topology/mesh/surface/crossing.hpp"
+#include "topology/mesh/surface/edges.hpp"
 
 namespace sunder {
 namespace {
 
 using detail::cross, detail::difference, detail::dot, detail::length;
 using Row = std::uint32_t;
-
-/// A side of a face, its lower place first.
-struct Side {
-  std::array<Row, 2> ends;
-  Row face;
-  bool is_forward;
-  friend auto operator<=>(const Side&, const Side&) = default;
-};
 
 /// Faces by the places of their corners: points with the same coordinates are one place.
 struct Surface {
@@ -35,7 +28,7 @@ struct Surface {
   std::vector<Row> corners;
   /// Where the corners of each face begin; one more at the end.
   std::vector<std::size_t> first{0};
-  std::vector<Side> sides;
+  std::vector<FaceSide> sides;  ///< ends by places
   /// Those that have an area.
   std::vector<SurfaceTriangle> triangles;
 
@@ -123,17 +116,16 @@ void take_faces(Surface& s) {
 void find_edges(Surface& s) {
   std::vector<Row> open, thick, twisted;
   UnionFind parts(s.faces());
-  for (std::size_t i = 0, end = 0; i < s.sides.size(); i = end) {
-    for (end = i; end < s.sides.size() && s.sides[end].ends == s.sides[i].ends;) ++end;
+  for_each_edge(s.sides, [&](std::span<const FaceSide> edge) {
     ++s.check.edges;
-    for (std::size_t k = i; k < end; ++k) parts.join(s.sides[i].face, s.sides[k].face);
+    for (const FaceSide& side : edge) parts.join(edge[0].face, side.face);
     const auto add = [&](std::vector<Row>& list) {
-      list.insert(list.end(), s.sides[i].ends.begin(), s.sides[i].ends.end());
+      list.insert(list.end(), edge[0].ends.begin(), edge[0].ends.end());
     };
-    if (end == i + 1) add(open);
-    if (end > i + 2) add(thick);
-    if (end == i + 2 && s.sides[i].is_forward == s.sides[i + 1].is_forward) add(twisted);
-  }
+    if (edge.size() == 1) add(open);
+    if (edge.size() > 2) add(thick);
+    if (edge.size() == 2 && edge[0].is_forward == edge[1].is_forward) add(twisted);
+  });
   const std::vector<std::uint32_t> roots = std::move(parts).roots();
   for (std::size_t f = 0; f < roots.size(); ++f) s.check.components += roots[f] == f;
   s.check.boundary_edges = open.size() / 2;
@@ -208,13 +200,7 @@ void measure(Surface& s) {
   SurfaceCheck& c = s.check;
   const std::vector<Point>& x = s.mesh.points;
   if (s.corners.empty()) return;
-  c.extent.box = {x[s.corners[0]], x[s.corners[0]]};
-  for (const Row corner : s.corners) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      c.extent.box.low[k] = std::min(c.extent.box.low[k], x[corner][k]);
-      c.extent.box.high[k] = std::max(c.extent.box.high[k], x[corner][k]);
-    }
-  }
+  c.extent.box = box_around(x, s.corners);
   Point middle;
   for (std::size_t k = 0; k < 3; ++k) {
     middle[k] = c.extent.box.low[k] / 2 + c.extent.box.high[k] / 2;
@@ -284,11 +270,8 @@ std::optional<Extent> extent_of_tetrahedra(const FileMesh& mesh) {
     const double part = std::abs(detail::six_volumes(x[t[0]], x[t[1]], x[t[2]], x[t[3]]));
     volume += part;
     for (const Row corner : t) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        extent.box.low[k] = std::min(extent.box.low[k], x[corner][k]);
-        extent.box.high[k] = std::max(extent.box.high[k], x[corner][k]);
-        sum[k] += part / 4 * (x[corner][k] - origin[k]);
-      }
+      extend(extent.box, x[corner]);
+      for (std::size_t k = 0; k < 3; ++k) sum[k] += part / 4 * (x[corner][k] - origin[k]);
     }
   }
   if (!(volume > 0)) return std::nullopt;

@@ -89,21 +89,9 @@ void sample(Sampling& s, const NearTriangles& other, const Point& a, const Point
 }  // namespace
 
 NearTriangles::NearTriangles(std::vector<Point> points, std::vector<Corners> triangles)
-    : points_(std::move(points)), triangles_(std::move(triangles)) {
-  std::vector<BoundingBox> boxes;
-  boxes.reserve(triangles_.size());
-  for (const Corners& t : triangles_) {
-    BoundingBox box = {points_[t[0]], points_[t[0]]};
-    for (const std::uint32_t corner : t) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        box.low[k] = std::min(box.low[k], points_[corner][k]);
-        box.high[k] = std::max(box.high[k], points_[corner][k]);
-      }
-    }
-    boxes.push_back(box);
-  }
-  tree_ = box_tree(std::move(boxes));
-}
+    : points_(std::move(points)),
+      triangles_(std::move(triangles)),
+      tree_(box_tree(points_, triangles_)) {}
 
 double NearTriangles::distance(const Point& p) const {
   const auto square = [&](std::uint32_t row) {

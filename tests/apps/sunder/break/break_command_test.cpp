@@ -142,10 +142,10 @@ TEST_CASE("options about filling are not ignored in silence for a file of tetrah
   CHECK(here.run(words).err.find("filled_already") == std::string::npos);
   std::vector<std::string> more = words;
   for (const char* word : {"--tetrahedra", "900", "--mesher", "gmsh"}) more.emplace_back(word);
-  const Outcome told = here.run(more);
-  CHECK(told.exit_code == 0);
-  CHECK(told.err.find("--tetrahedra, --mesher without effect") != std::string::npos);
-  CHECK(told.err.find("sunder refine") != std::string::npos);
+  const Outcome noted = here.run(more);
+  CHECK(noted.exit_code == 0);
+  CHECK(noted.err.find("--tetrahedra, --mesher without effect") != std::string::npos);
+  CHECK(noted.err.find("sunder refine") != std::string::npos);
 }
 
 TEST_CASE("a time budget chooses cells, and says where none are few enough", "[break]") {

@@ -39,7 +39,8 @@ FileMesh with_small_hole() {
 
 }  // namespace
 
-TEST_CASE("a small hole is closed and told, or refused where repairs are forbidden", "[break]") {
+TEST_CASE("a small hole is closed and reported, or refused where repairs are forbidden",
+          "[break]") {
   const Result<Mended> mended = mend(with_small_hole(), Mending::small);
   for (const Finding& f : mended.findings) UNSCOPED_INFO(f.text);
   REQUIRE(mended);
@@ -66,7 +67,7 @@ TEST_CASE("a wide hole is refused with its place and width", "[break]") {
   CHECK(refused.findings[0].remedy.find("--repair wrap") != std::string::npos);
 }
 
-TEST_CASE("a whole surface is left as it is, and parts of it are told", "[break]") {
+TEST_CASE("a whole surface is left as it is, and its parts are reported", "[break]") {
   const Result<Mended> whole = mend(cube_surface(), Mending::small);
   REQUIRE(whole);
   CHECK(whole.findings.empty());

@@ -26,11 +26,11 @@ struct Neighbour {
 
 std::vector<std::vector<Neighbour>> neighbours_of(const std::vector<Triangle>& triangles) {
   std::vector<std::vector<Neighbour>> neighbours(triangles.size());
-  for_each_edge(sides_of(triangles), [&](std::span<const TriangleSide> edge) {
+  for_each_edge(sides_of(triangles), [&](std::span<const FaceSide> edge) {
     if (edge.size() != 2) return;
     const bool is_alike = edge[0].is_forward == edge[1].is_forward;
-    neighbours[edge[0].triangle].push_back({edge[1].triangle, is_alike});
-    neighbours[edge[1].triangle].push_back({edge[0].triangle, is_alike});
+    neighbours[edge[0].face].push_back({edge[1].face, is_alike});
+    neighbours[edge[1].face].push_back({edge[0].face, is_alike});
   });
   return neighbours;
 }
@@ -77,14 +77,9 @@ Shell shell_of(const std::vector<Point>& x, const std::vector<Triangle>& triangl
   for (const Row t : shell.rows) own.push_back(triangles[t]);
   shell.volume = enclosed_volume(x, own);
   shell.is_closed = count_edges(own).open == 0;
-  shell.box = {x[own[0][0]], x[own[0][0]]};
+  shell.box = box_around(x, own[0]);
   for (const Triangle& t : own) {
-    for (const Row corner : t) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        shell.box.low[k] = std::min(shell.box.low[k], x[corner][k]);
-        shell.box.high[k] = std::max(shell.box.high[k], x[corner][k]);
-      }
-    }
+    for (const Row corner : t) extend(shell.box, x[corner]);
   }
   return shell;
 }
@@ -131,8 +126,8 @@ double enclosed_volume(const std::vector<Point>& points, const std::vector<Trian
 
 std::vector<std::uint32_t> shells_of(const std::vector<Triangle>& triangles) {
   UnionFind parts(triangles.size());
-  for_each_edge(sides_of(triangles), [&](std::span<const TriangleSide> edge) {
-    for (const TriangleSide& side : edge) parts.join(edge[0].triangle, side.triangle);
+  for_each_edge(sides_of(triangles), [&](std::span<const FaceSide> edge) {
+    for (const FaceSide& side : edge) parts.join(edge[0].face, side.face);
   });
   return std::move(parts).roots();
 }

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "topology/base/point_math.hpp"
+#include "topology/mesh/box_tree.hpp"
 #include "topology/mesh/surface/crossing.hpp"
 
 namespace sunder {
@@ -99,7 +100,7 @@ class LeastArea {
 
 std::vector<Rim> rims_of(const std::vector<Triangle>& triangles) {
   std::multimap<Row, Row> next;  // against the way of the triangle
-  for (const TriangleSide& s : open_sides(triangles)) {
+  for (const FaceSide& s : open_sides(triangles)) {
     next.emplace(s.ends[s.is_forward ? 1 : 0], s.ends[s.is_forward ? 0 : 1]);
   }
   std::vector<Rim> rims;
@@ -118,14 +119,7 @@ std::vector<Rim> rims_of(const std::vector<Triangle>& triangles) {
 }
 
 double width_of(const std::vector<Point>& points, const Rim& rim) {
-  Point low = points[rim[0]], high = low;
-  for (const Row row : rim) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      low[k] = std::min(low[k], points[row][k]);
-      high[k] = std::max(high[k], points[row][k]);
-    }
-  }
-  return std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
+  return longest_side(box_around(points, rim));
 }
 
 Point middle_of(const std::vector<Point>& points, const Rim& rim) {
@@ -141,7 +135,7 @@ std::vector<Triangle> cover_of(const std::vector<Point>& points,
   if (rim.size() < 3 || rim.size() > longest_rim) return {};
   std::set<Edge> used;
   const std::set<Row> on_rim(rim.begin(), rim.end());
-  for (const TriangleSide& s : sides_of(triangles)) {
+  for (const FaceSide& s : sides_of(triangles)) {
     if (on_rim.contains(s.ends[0]) && on_rim.contains(s.ends[1])) {
       used.insert({s.ends[0], s.ends[1]});
     }

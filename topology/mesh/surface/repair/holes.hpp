@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "topology/base/tet_mesh.hpp"
-#include "topology/mesh/surface/repair/edges.hpp"
+#include "topology/mesh/surface/edges.hpp"
 
 namespace sunder {
 

@@ -24,21 +24,16 @@ constexpr double shares[] = {0, 1e-7, 1e-6, 1e-5, 1e-4};
 
 double diagonal(const std::vector<Point>& points, const std::vector<Triangle>& triangles) {
   if (triangles.empty()) return 0;
-  Point low = points[triangles[0][0]], high = low;
+  BoundingBox box = box_around(points, triangles[0]);
   for (const Triangle& t : triangles) {
-    for (const Row corner : t) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        low[k] = std::min(low[k], points[corner][k]);
-        high[k] = std::max(high[k], points[corner][k]);
-      }
-    }
+    for (const Row corner : t) extend(box, points[corner]);
   }
-  return distance(low, high);
+  return distance(box.low, box.high);
 }
 
-std::vector<Row> points_of(const std::vector<TriangleSide>& sides) {
+std::vector<Row> points_of(const std::vector<FaceSide>& sides) {
   std::vector<Row> rows;
-  for (const TriangleSide& s : sides) rows.insert(rows.end(), s.ends.begin(), s.ends.end());
+  for (const FaceSide& s : sides) rows.insert(rows.end(), s.ends.begin(), s.ends.end());
   std::ranges::sort(rows);
   rows.erase(std::ranges::unique(rows).begin(), rows.end());
   return rows;
@@ -74,10 +69,10 @@ void join_points(const std::vector<Point>& x, std::vector<Triangle>& triangles, 
 /// Open points on the open side from `a` to `b`, from `a` on.
 std::vector<Row> points_on(const std::vector<Point>& x, const std::vector<Row>& open,
                            const BoxTree& tree, Row a, Row b, double reach, double& farthest) {
-  BoundingBox box;
+  BoundingBox box = box_around(x, std::array{a, b});
   for (std::size_t k = 0; k < 3; ++k) {
-    box.low[k] = std::min(x[a][k], x[b][k]) - reach;
-    box.high[k] = std::max(x[a][k], x[b][k]) + reach;
+    box.low[k] -= reach;
+    box.high[k] += reach;
   }
   const Point way = difference(x[b], x[a]);
   const double square = dot(way, way);
@@ -117,23 +112,23 @@ void divide(std::vector<Triangle>& triangles, Row t, Row a, const std::vector<Ro
 /// One side of each triangle at most; gives the number of sides divided.
 std::size_t divide_sides(const std::vector<Point>& x, std::vector<Triangle>& triangles,
                          double reach, Stitching& done) {
-  const std::vector<TriangleSide> sides = open_sides(triangles);
+  const std::vector<FaceSide> sides = open_sides(triangles);
   const std::vector<Row> open = points_of(sides);
   std::vector<BoundingBox> boxes;
   for (const Row row : open) boxes.push_back({x[row], x[row]});
   const BoxTree tree = box_tree(std::move(boxes));
   std::vector<char> is_divided(triangles.size(), 0);
   std::size_t count = 0;
-  for (const TriangleSide& side : sides) {
-    if (is_divided[side.triangle]) continue;
+  for (const FaceSide& side : sides) {
+    if (is_divided[side.face]) continue;
     const Row a = side.is_forward ? side.ends[0] : side.ends[1];
     const Row b = side.is_forward ? side.ends[1] : side.ends[0];
-    const Triangle& t = triangles[side.triangle];
+    const Triangle& t = triangles[side.face];
     std::vector<Row> between = points_on(x, open, tree, a, b, reach, done.distance);
     std::erase_if(between, [&](Row row) { return std::ranges::find(t, row) != t.end(); });
     if (between.empty()) continue;
-    divide(triangles, side.triangle, a, between);
-    is_divided[side.triangle] = 1;
+    divide(triangles, side.face, a, between);
+    is_divided[side.face] = 1;
     ++count;
   }
   return count;

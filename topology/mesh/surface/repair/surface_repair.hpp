@@ -13,7 +13,7 @@
 
 namespace sunder {
 
-/// What a repair has changed.
+/// The changes of a repair.
 struct SurfaceRepair {
   Stitching stitching;
   Walls walls;

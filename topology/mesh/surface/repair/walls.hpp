@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "topology/mesh/surface/repair/edges.hpp"
+#include "topology/mesh/surface/edges.hpp"
 
 namespace sunder {
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "tests/topology/mesh/surface/repair/cube_surface.hpp"
-#include "topology/mesh/surface/repair/edges.hpp"
+#include "topology/mesh/surface/edges.hpp"
 #include "topology/mesh/surface/repair/facing.hpp"
 #include "topology/mesh/surface/repair/holes.hpp"
 #include "topology/mesh/surface/repair/stitch.hpp"

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "topology/mesh/surface/repair/edges.hpp"
+#include "topology/mesh/surface/edges.hpp"
 
 #include <algorithm>
 
 namespace sunder {
 
-std::vector<TriangleSide> sides_of(const std::vector<Triangle>& triangles) {
-  std::vector<TriangleSide> sides;
+std::vector<FaceSide> sides_of(const std::vector<Triangle>& triangles) {
+  std::vector<FaceSide> sides;
   sides.reserve(3 * triangles.size());
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     for (std::size_t k = 0; k < 3; ++k) {
@@ -21,16 +21,16 @@ std::vector<TriangleSide> sides_of(const std::vector<Triangle>& triangles) {
 
 EdgeCounts count_edges(const std::vector<Triangle>& triangles) {
   EdgeCounts counts;
-  for_each_edge(sides_of(triangles), [&](std::span<const TriangleSide> edge) {
+  for_each_edge(sides_of(triangles), [&](std::span<const FaceSide> edge) {
     counts.open += edge.size() == 1;
     counts.thick += edge.size() > 2;
   });
   return counts;
 }
 
-std::vector<TriangleSide> open_sides(const std::vector<Triangle>& triangles) {
-  std::vector<TriangleSide> open;
-  for_each_edge(sides_of(triangles), [&](std::span<const TriangleSide> edge) {
+std::vector<FaceSide> open_sides(const std::vector<Triangle>& triangles) {
+  std::vector<FaceSide> open;
+  for_each_edge(sides_of(triangles), [&](std::span<const FaceSide> edge) {
     if (edge.size() == 1) open.push_back(edge[0]);
   });
   return open;
