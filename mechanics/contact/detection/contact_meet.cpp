@@ -9,6 +9,7 @@
 
 #include "mechanics/contact/contact_step.hpp"
 #include "mechanics/contact/detection/contact_overlaps.hpp"
+#include "mechanics/state/supports.hpp"
 
 namespace sunder {
 namespace {
@@ -110,22 +111,61 @@ void leave_to_next_pass(ContactStep& step) {
   });
 }
 
-/// Finds contacts along the paths as they are predicted. False when there are blows on them that
-/// the step must not run into.
-bool detect_contacts(ContactStep& step) {
+/// The part of a unit impulse along `along` (world) that acts on nodes that it moves.
+double loose_share(const MechanicsState& state, ComponentId id, const TouchedNodes& nodes,
+                   const Vec3& along) {
+  const Component& component = state.components[id.index()];
+  if (!component.supported) return 1;
+  const Vec3 in_body = component.orientation.conjugate() * along;
+  double share = 0;
+  for (std::size_t i = 0; i < nodes.count; ++i) {
+    share += std::abs(nodes.share[i]) * free_part(state, nodes.row[i], in_body).norm();
+  }
+  return share;
+}
+
+/// Whether supports hold both sides of a contact where they meet, so that no impulse parts them. A
+/// node with a small share would have to go far, and would take an impulse without bound.
+bool meets_at_supports(const ContactStep& step, const ContactPoint& contact) {
+  constexpr double least_share = 1e-3;
+  const MechanicsState& state = step.pass.state;
+  const std::span<const Corners> corners = step.pass.input.corners;
+  const auto obstacle_moves = [&](std::uint32_t row) { return step.pass.obstacles[row].mass > 0; };
+  const auto body_moves = [&](ComponentId id, const TouchedNodes& nodes) {
+    return loose_share(state, id, nodes, contact.normal) > least_share;
+  };
+  if (contact.is_body_a() ? body_moves(component_of_a(contact, state), nodes_of_a(contact, corners))
+                          : obstacle_moves(contact.ball)) {
+    return false;
+  }
+  return !(contact.is_body_b()
+               ? body_moves(component_of_b(contact, state), touched_nodes(contact, state, corners))
+               : obstacle_moves(contact.obstacle));
+}
+
+/// Finds the contacts that the step looks for, but those that no impulse parts.
+void find_in_step(ContactStep& step) {
   DetectScratch& scratch = step.scratch.detect;
   const StepPaths paths = paths_of(step);
   if (step.look == ContactStep::Look::overlaps) {
     scratch.found.clear();
     scratch.found_gap.clear();
     find_overlaps(scratch, paths, step.settings, static_cast<std::uint8_t>(step.report.passes));
-    return true;
-  }
-  find_contacts(scratch, step.memory, paths, step.settings);
-  if (step.is_wave() && may_overlap(paths, step.settings)) {
+  } else {
+    find_contacts(scratch, step.memory, paths, step.settings);
     // A whole step looks for overlaps in its last passes; an explicit part looks once.
-    find_overlaps(scratch, paths, step.settings, 0);
+    if (step.is_wave() && may_overlap(paths, step.settings)) {
+      find_overlaps(scratch, paths, step.settings, 0);
+    }
   }
+  keep_found(scratch, [&](std::size_t k) { return !meets_at_supports(step, scratch.found[k]); });
+}
+
+/// Finds contacts along the paths as they are predicted. False when there are blows on them that
+/// the step must not run into.
+bool detect_contacts(ContactStep& step) {
+  find_in_step(step);
+  if (step.look == ContactStep::Look::overlaps) return true;
   if (step.look == ContactStep::Look::resting) leave_to_next_pass(step);
   if (!step.pass.input.part.impact || step.is_wave()) return true;
   look_for_blows(step);
