@@ -14,6 +14,7 @@ namespace {
 
 using GridCell = std::array<std::int64_t, 3>;
 constexpr std::int64_t most_cells = 4096;
+constexpr std::uint32_t group_size = 32;
 
 bool may_pair(const BoxQuery& query, std::uint32_t a, std::uint32_t b) {
   const std::uint32_t p = query.body[a], q = query.body[b];
@@ -174,14 +175,27 @@ void gather_bodies(BoxScratch& scratch, const BoxQuery& query) {
   for (std::uint32_t k = 0; k < query.boxes.size(); ++k) {
     if (is_finite(scratch.covered[k])) scratch.of[next[query.body[k]]++] = k;
   }
+  scratch.group.assign(scratch.of.size() / group_size + 1,
+                       {Vec3::Constant(infinite), Vec3::Constant(-infinite)});
+  for (std::size_t i = 0; i < scratch.of.size(); ++i) {
+    Bounds& group = scratch.group[i / group_size];
+    const Bounds& box = scratch.covered[scratch.of[i]];
+    group.low = group.low.cwiseMin(box.low);
+    group.high = group.high.cwiseMax(box.high);
+  }
 }
 
 /// The boxes of one body that overlap another's hull, by where they begin along an axis.
 void gather_near(std::vector<std::uint32_t>& near, const BoxScratch& scratch, std::uint32_t body,
                  const Bounds& hull, int axis) {
   near.clear();
-  for (std::uint32_t i = scratch.first_of[body]; i < scratch.first_of[body + 1]; ++i) {
-    if (scratch.covered[scratch.of[i]].overlaps(hull)) near.push_back(scratch.of[i]);
+  const std::uint32_t end = scratch.first_of[body + 1];
+  for (std::uint32_t i = scratch.first_of[body]; i < end;) {
+    const std::uint32_t next = std::min(end, (i / group_size + 1) * group_size);
+    if (!scratch.group[i / group_size].overlaps(hull)) i = next;
+    for (; i < next; ++i) {
+      if (scratch.covered[scratch.of[i]].overlaps(hull)) near.push_back(scratch.of[i]);
+    }
   }
   std::sort(near.begin(), near.end(), [&](std::uint32_t p, std::uint32_t q) {
     return scratch.covered[p].low[axis] < scratch.covered[q].low[axis];

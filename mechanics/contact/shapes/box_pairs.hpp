@@ -41,6 +41,7 @@ struct BoxScratch {
   std::vector<Bounds> covered;              ///< along their ways
   std::vector<Bounds> hull;                 ///< row = body
   std::vector<std::uint32_t> first_of, of;  ///< boxes by bodies
+  std::vector<Bounds> group;                ///< hulls of some boxes in a row of `of`
   std::vector<RowPair> bodies;
   std::vector<std::uint32_t> near_a, near_b;
   std::vector<std::uint32_t> first, entries;  ///< of the grid
