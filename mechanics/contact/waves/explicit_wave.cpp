@@ -16,17 +16,6 @@
 namespace sunder {
 namespace {
 
-/// Sweeps over all rows, each followed by sweeps over those that press, until the former changes no
-/// velocity by more than `tolerance` (m/s), or there were `most` of them. Gives that change, m/s.
-double relax_rows(WaveScratch& wave, double step, double tolerance, int most, int& sweeps) {
-  WaveNodes& nodes = wave.bodies.nodes;
-  for (;;) {
-    const double error = sweep_rows(wave.contacts, nodes, step);
-    if (++sweeps >= most || error <= tolerance) return error;
-    while (sweeps < most && sweep_pressed(wave.contacts, nodes, step) > tolerance) ++sweeps;
-  }
-}
-
 /// Impulses of contacts and bonds with a kick, until a sweep changes no velocity by more than
 /// `tolerance` (m/s) and no bond is off its law.
 void solve_impulses(WaveScratch& wave, ContactStep& step, const RowStep& row_step,
@@ -41,7 +30,7 @@ void solve_impulses(WaveScratch& wave, ContactStep& step, const RowStep& row_ste
   do {
     // Without bonds all sweeps are of contacts; else one after each of bonds.
     const int most = step.ties.empty() ? step.settings.max_iterations : sweeps + 1;
-    error = relax_rows(wave, row_step.length, tolerance, most, sweeps);
+    error = relax_rows(wave.contacts, nodes, row_step.length, {tolerance, most}, sweeps);
     off = sweep_bonds(wave.bonds, step.ties, nodes, row_step, tie_tolerance, sweeps_of_bonds);
     // Bonds that contacts have not moved are solved for.
     if (wave.contacts.rows.empty()) break;
@@ -315,12 +304,9 @@ void take_explicit_part(ContactStep& step) {
   gather_contacts(step);
   pack_bodies(wave.bodies, step.pass.state, step.pass.input);
   enlist_rigid(wave, step);
-  double bound = step.h() / step.pass.input.part.sub_steps;
-  for (const WaveBody& body : wave.bodies.bodies) {
-    bound = std::min(bound, stable_step(wave.bodies, body));
-  }
   constexpr double share = 0.9;
   const std::uint32_t sub_steps = step.pass.input.part.sub_steps;
+  const double bound = std::min(step.h() / sub_steps, wave.bodies.longest_step);
   const int in_sub_step = static_cast<int>(std::ceil(step.h() / (sub_steps * share * bound)));
   const int count = in_sub_step * static_cast<int>(sub_steps);
   prepare_scaled_cells(wave.bodies, step.pass.state, step.pass.input, step.h() / count);

@@ -55,7 +55,7 @@ void take_ties(WaveScratch& wave, ContactStep& step, double count);
 ///   a kick; impulses of contacts between each kick and drift;
 /// - frames, displacements and rates from where the nodes end (`fit_motion`).
 /// The part ends early where `StepInput::ends` says so. Then its length and that of the settings
-/// is the one taken. The step is at most 0.9 of the stable one (`stable_step`). Momentum and
+/// is the one taken. The step is at most 0.9 of `longest_step`. Momentum and
 /// angular momentum are conserved to rounding.
 void take_explicit_part(ContactStep& step);
 

@@ -40,25 +40,64 @@ Vec3 place_of(const LumpedSide& side, const LumpedContacts& contacts, const Wave
   return sum;
 }
 
-void strike(const LumpedSide& side, const Vec3& impulse, LumpedContacts& contacts,
+/// `stirs`: whether the impulse counts as more than a rest of the sweeps.
+void strike(const LumpedSide& side, const Vec3& impulse, bool stirs, LumpedContacts& contacts,
             WaveNodes& nodes) {
   if (side.rigid != LumpedSide::none) {
     WaveRigid& body = contacts.rigid[side.rigid];
-    body.velocity += body.inverse_mass * impulse;
-    body.spin += body.inverse_inertia * side.arm.cross(impulse);
+    const Vec3 change = body.inverse_mass * impulse;
+    const Vec3 turn = body.inverse_inertia * side.arm.cross(impulse);
+    body.velocity += change;
+    body.spin += turn;
+    body.motion.sum += change.norm() + body.reach * turn.norm();
+    body.motion.stirs += stirs;
     return;
   }
-  for_each_end(side, contacts,
-               [&](const LumpedEnd& end) { push_node(nodes, end.node, end.weight * impulse); });
+  const double size = impulse.norm();
+  for_each_end(side, contacts, [&](const LumpedEnd& end) {
+    push_node(nodes, end.node, end.weight * impulse);
+    LumpedMotion& motion = contacts.node_motion[end.node];
+    motion.sum += std::abs(end.weight) * nodes.inverse_mass[end.node] * size;
+    motion.stirs += stirs;
+  });
+}
+
+/// Of both sides of a row, since `forget_visits`.
+LumpedMotion motion_of(const LumpedRow& row, const LumpedContacts& contacts) {
+  LumpedMotion both;
+  for (const LumpedSide& side : row.sides) {
+    if (side.rigid != LumpedSide::none) {
+      both.sum += contacts.rigid[side.rigid].motion.sum;
+      both.stirs += contacts.rigid[side.rigid].motion.stirs;
+      continue;
+    }
+    for_each_end(side, contacts, [&](const LumpedEnd& end) {
+      both.sum += std::abs(end.weight) * contacts.node_motion[end.node].sum;
+      both.stirs += contacts.node_motion[end.node].stirs;
+    });
+  }
+  return both;
+}
+
+/// Whether a node of the row answers together with others, whose impulses move it unseen.
+bool is_in_cluster(const LumpedRow& row, const LumpedContacts& contacts, const WaveNodes& nodes) {
+  bool any = false;
+  for (const LumpedSide& side : row.sides) {
+    for_each_end(side, contacts, [&](const LumpedEnd& end) {
+      any = any || nodes.cluster[end.node] != ScaledCells::none;
+    });
+  }
+  return any;
 }
 
 Vec3 slip_of(const LumpedRow& row, const LumpedContacts& contacts, const WaveNodes& nodes) {
   return velocity_of(row.sides[0], contacts, nodes) - velocity_of(row.sides[1], contacts, nodes);
 }
 
-void strike(const LumpedRow& row, const Vec3& impulse, LumpedContacts& contacts, WaveNodes& nodes) {
-  strike(row.sides[0], impulse, contacts, nodes);
-  strike(row.sides[1], -impulse, contacts, nodes);
+void strike(const LumpedRow& row, const Vec3& impulse, bool stirs, LumpedContacts& contacts,
+            WaveNodes& nodes) {
+  strike(row.sides[0], impulse, stirs, contacts, nodes);
+  strike(row.sides[1], -impulse, stirs, contacts, nodes);
 }
 
 /// m/s: the mean of a side's velocities before the step and now.
@@ -94,7 +133,7 @@ void measure_row(const LumpedRow& row, LumpedContacts& contacts, const WaveBodie
   const Vec3 slip = velocity[0] - velocity[1];
   const double along = row.normal.dot(slip), pressed = row.normal.dot(row.impulse);
   work.friction -= (row.impulse - pressed * row.normal).dot(slip);
-  if (row.push > 0 && along > 0) work.push_out += pressed * along;
+  if ((row.push > 0 || row.gap < 0) && along > 0) work.push_out += pressed * along;
 }
 
 /// The impulse that a row should have in all, as velocities are now.
@@ -115,17 +154,65 @@ Vec3 wanted_impulse(const LumpedRow& row, const Vec3& slip, double step) {
   return wanted * row.normal + friction;
 }
 
-/// Gives a row the impulse that it should have; by how much that changed a velocity, m/s. Nothing:
-/// its sides are apart, and stay so.
-std::optional<double> relax(LumpedRow& row, LumpedContacts& contacts, WaveNodes& nodes,
-                            double step) {
+/// Sides count as moved from here on, and no row as visited.
+void forget_visits(LumpedContacts& contacts, const WaveNodes& nodes) {
+  constexpr std::uint32_t never = 0xffffffffu;
+  contacts.seen.assign(contacts.rows.size(), {-1, never});
+  contacts.node_motion.assign(nodes.inverse_mass.size(), {});
+  for (WaveRigid& body : contacts.rigid) body.motion = {};
+}
+
+/// Gives row k the impulse that it should have, and notes the visit. Gives by how much that changed
+/// a velocity, m/s. Nothing: its sides are apart, and stay so. Changes above `counts` m/s stir the
+/// sides.
+std::optional<double> relax(LumpedContacts& contacts, WaveNodes& nodes, std::uint32_t k,
+                            double step, double counts) {
+  LumpedRow& row = contacts.rows[k];
+  LumpedMotion& seen = contacts.seen[k];
   const Vec3 slip = slip_of(row, contacts, nodes);
-  if (row.impulse.isZero(0) && row.normal.dot(slip) + row.gap / step >= row.push) return {};
+  const double slack = row.normal.dot(slip) + row.gap / step - row.push;
+  seen = motion_of(row, contacts);
+  const bool is_seen = !is_in_cluster(row, contacts, nodes);
+  if (row.impulse.isZero(0) && slack >= 0) {
+    seen.sum = is_seen ? seen.sum + slack : -1;
+    return {};
+  }
+  seen.sum = is_seen ? seen.sum + counts : -1;
   const Vec3 next = wanted_impulse(row, slip, step);
   const Vec3 change = next - row.impulse;
+  const double moved = change.norm() * row.normal_response;
   row.impulse = next;
-  strike(row, change, contacts, nodes);
-  return change.norm() * row.normal_response;
+  if (moved > 0) strike(row, change, moved > counts, contacts, nodes);
+  return moved;
+}
+
+/// Over all rows; notes those that press, or would overlap.
+double sweep_all(LumpedContacts& contacts, WaveNodes& nodes, double step, double counts) {
+  double largest = 0;
+  contacts.pressed.clear();
+  for (std::uint32_t k = 0; k < contacts.rows.size(); ++k) {
+    const LumpedRow& row = contacts.rows[k];
+    if (!(row.normal_response > 0)) continue;
+    if (motion_of(row, contacts).sum <= contacts.seen[k].sum) {
+      if (!row.impulse.isZero(0)) contacts.pressed.push_back(k);
+      continue;
+    }
+    const std::optional<double> change = relax(contacts, nodes, k, step, counts);
+    if (!change) continue;
+    contacts.pressed.push_back(k);
+    largest = std::max(largest, *change);
+  }
+  return largest;
+}
+
+/// Over the rows noted that have been stirred. Others may have come to overlap.
+double sweep_stirred(LumpedContacts& contacts, WaveNodes& nodes, double step, double counts) {
+  double largest = 0;
+  for (const std::uint32_t k : contacts.pressed) {
+    if (motion_of(contacts.rows[k], contacts).stirs == contacts.seen[k].stirs) continue;
+    largest = std::max(largest, relax(contacts, nodes, k, step, counts).value_or(0));
+  }
+  return largest;
 }
 
 }  // namespace
@@ -223,33 +310,38 @@ void turn_rigid(LumpedContacts& contacts, double least) {
 }
 
 void begin_rows(LumpedContacts& contacts, WaveNodes& nodes, const RowStep& step) {
+  for (const LumpedRow& row : contacts.rows) {
+    for (const LumpedSide& side : row.sides) {
+      if (side.rigid == LumpedSide::none) continue;
+      double& reach = contacts.rigid[side.rigid].reach;
+      reach = std::max(reach, side.arm.norm());
+    }
+  }
+  forget_visits(contacts, nodes);
   for (LumpedRow& row : contacts.rows) {
     if (row.impulse.isZero(0)) continue;
     row.impulse *= step.growth;
-    strike(row, row.impulse, contacts, nodes);
+    strike(row, row.impulse, true, contacts, nodes);
   }
 }
 
 double sweep_rows(LumpedContacts& contacts, WaveNodes& nodes, double step) {
-  double largest = 0;
-  contacts.pressed.clear();
-  for (std::uint32_t k = 0; k < contacts.rows.size(); ++k) {
-    LumpedRow& row = contacts.rows[k];
-    if (!(row.normal_response > 0)) continue;
-    const std::optional<double> change = relax(row, contacts, nodes, step);
-    if (!change) continue;
-    contacts.pressed.push_back(k);
-    largest = std::max(largest, *change);
-  }
-  return largest;
+  forget_visits(contacts, nodes);
+  return sweep_all(contacts, nodes, step, 0);
 }
 
-double sweep_pressed(LumpedContacts& contacts, WaveNodes& nodes, double step) {
-  double largest = 0;
-  for (const std::uint32_t k : contacts.pressed) {
-    largest = std::max(largest, relax(contacts.rows[k], contacts, nodes, step).value_or(0));
+double relax_rows(LumpedContacts& contacts, WaveNodes& nodes, double step,
+                  const SweepLimits& limits, int& sweeps) {
+  const double counts = 0.25 * limits.tolerance;
+  forget_visits(contacts, nodes);
+  for (;;) {
+    const double error = sweep_all(contacts, nodes, step, counts);
+    if (++sweeps >= limits.most || error <= limits.tolerance) return error;
+    while (sweeps < limits.most &&
+           sweep_stirred(contacts, nodes, step, counts) > limits.tolerance) {
+      ++sweeps;
+    }
   }
-  return largest;
 }
 
 void settle_rows(LumpedContacts& contacts, const WaveBodies& waves) {

@@ -11,6 +11,12 @@
 
 namespace sunder {
 
+/// The change of a velocity in the sweeps of a step.
+struct LumpedMotion {
+  double sum = 0;           ///< m/s: of all changes
+  std::uint32_t stirs = 0;  ///< the number of those that count
+};
+
 /// A rigid body in a part of a step: a component or a free obstacle.
 struct WaveRigid {
   ComponentId component;                                ///< none() for an obstacle
@@ -34,6 +40,8 @@ struct WaveRigid {
   Vec3 push{0, 0, 0};           ///< N: surface loads
   Vec3 torque{0, 0, 0};         ///< N m, about the centre, as the part begins: of surface loads
   Impulse loads = Impulse::Zero();  ///< N s and N m s about the origin: got from them
+  double reach = 0;                 ///< m: the longest arm of its rows
+  LumpedMotion motion;              ///< of its places within reach
 };
 
 /// A share of a side at a node.
@@ -80,8 +88,12 @@ struct LumpedContacts {
   std::vector<LumpedRow> rows;
   std::vector<WaveRigid> rigid;
   std::vector<Vec3> twist;  ///< N m s, row = body of nodes: moments that its nodes did not get
-  std::vector<std::uint32_t> pressed;  ///< rows that the last sweep over all found so
-  std::vector<Mat3> turn;              ///< scratch of `turn_rigid`, row = rigid body
+  std::vector<std::uint32_t> pressed;     ///< rows that the last sweep over all found so
+  std::vector<LumpedMotion> node_motion;  ///< row = node
+  /// Row = row: the stirs of both sides at its last visit, and the sum up to which another visit
+  /// would change nothing that counts.
+  std::vector<LumpedMotion> seen;
+  std::vector<Mat3> turn;  ///< scratch of `turn_rigid`, row = rigid body
   RowWork work;
 };
 
@@ -109,12 +121,22 @@ struct RowStep {
 void begin_rows(LumpedContacts& contacts, WaveNodes& nodes, const RowStep& step);
 
 /// One sweep of projected Gauss-Seidel over a step of `step` s. Gives the largest change of a
-/// velocity, m/s. Notes the rows that press, or would overlap, as `pressed`.
+/// velocity, m/s.
 double sweep_rows(LumpedContacts& contacts, WaveNodes& nodes, double step);
 
-/// The same over the rows noted alone. Others may have come to overlap: `sweep_rows` has the last
-/// word.
-double sweep_pressed(LumpedContacts& contacts, WaveNodes& nodes, double step);
+/// Where sweeps end.
+struct SweepLimits {
+  double tolerance = 0;  ///< m/s: a change that counts as none
+  int most = 0;          ///< sweeps
+};
+
+/// Sweeps over all rows, each followed by sweeps over those that press, until the former would
+/// change no velocity by more than the tolerance, or there were too many. A change counts from a
+/// quarter of the tolerance on. The latter leave rows alone whose sides no such change has stirred
+/// since their last visit. The former leave rows alone that all changes since then cannot have
+/// moved so far. Adds the sweeps to `sweeps`. Gives the last change, m/s.
+double relax_rows(LumpedContacts& contacts, WaveNodes& nodes, double step,
+                  const SweepLimits& limits, int& sweeps);
 
 /// Adds the impulses of a step to the sums of the part. Both sides get an impulse at the place of
 /// A. The nodes of B miss a part of its moment, and `twist` gets that part. So momentum and angular

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mechanics/contact/waves/longest_step.hpp"
 #include "mechanics/state/living.hpp"
 #include "mechanics/state/supports.hpp"
 
@@ -67,7 +68,7 @@ void add_element(BlockColumn<count>& blocks, std::size_t place, const WaveBodies
 
 /// Elements of a body, by fours.
 void add_elements(WaveBodies& waves, const MechanicsState& state, const StepInput& input,
-                  WaveBody& body, const std::vector<char>& is_scaled) {
+                  WaveBody& body) {
   const Component& component = state.components[body.id.index()];
   const double of_fronts = input.part.viscosity * component.cell_travel;
   body.first_block = waves.blocks.size();
@@ -76,7 +77,7 @@ void add_elements(WaveBodies& waves, const MechanicsState& state, const StepInpu
   for (const TetId t : component.tetrahedra) {
     const ElementNodes own = nodes_of(state.elements, input.corners, t);
     const double viscosity = viscosity_of(waves, input, own, of_fronts);
-    note_viscosity(waves, own, t, viscosity, is_scaled[t.index()]);
+    note_viscosity(waves, own, t, viscosity, waves.is_scaled[t.index()]);
     const ShapeGradient& G = state.elements.shape_gradient[t.index()];
     const double volume = state.elements.rest_volume[t.index()];
     const Lame constants = lame(material_of(state, t));
@@ -250,15 +251,15 @@ void pack(WaveBodies& waves, const MechanicsState& state, const StepInput& input
   for_each_living(state, input.members, [&](const Component& component) {
     if (deforms_in_wave(component)) add_body(waves, state, input, component);
   });
-  std::vector<char> is_scaled;
-  choose_scaled_cells(waves, is_scaled, state, input);
-  for (WaveBody& body : waves.bodies) add_elements(waves, state, input, body, is_scaled);
+  choose_scaled_cells(waves, waves.is_scaled, state, input);
+  for (WaveBody& body : waves.bodies) add_elements(waves, state, input, body);
   for (QuadColumn* column : {&nodes.position, &nodes.velocity, &nodes.load, &nodes.displacement,
                              &nodes.rate, &nodes.inner}) {
     column->assign(4 * nodes.size(), 0);
   }
   nodes.is_held.assign(nodes.size(), 0);
   for (const HeldNode& held : waves.held) nodes.is_held[held.node] = 1;
+  waves.longest_step = longest_step(waves);
 }
 
 }  // namespace

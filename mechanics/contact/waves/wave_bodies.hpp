@@ -85,10 +85,19 @@ struct WaveBodies {
   /// Row = TetId: N/m, c k_a of its nodes (`coupling_of`); elements keep it for ever.
   std::vector<std::array<double, 10>> stiffness;
   std::vector<ScaledCells> scaled_before;  ///< of the part before
-  QuadColumn velocity_before;  ///< m/s, as the step at hand began, where work is measured
-  Vec3 gravity{0, 0, 0};       ///< m/s^2
-  RayleighDamping damping;     ///< as the bodies were packed
-  double of_fronts = 0;        ///< `StepPart::viscosity`, as the bodies were packed
+  QuadColumn velocity_before;   ///< m/s, as the step at hand began, where work is measured
+  Vec3 gravity{0, 0, 0};        ///< m/s^2
+  RayleighDamping damping;      ///< as the bodies were packed
+  double of_fronts = 0;         ///< `StepPart::viscosity`, as the bodies were packed
+  double longest_step = 0;      ///< s: `longest_step` as the bodies were packed
+  std::vector<char> is_scaled;  ///< row = TetId: of cells in `WaveNodes::scaled`
+  /// Highest eigenvalue that an element was known to have with some inverse masses (1/kg) of its
+  /// nodes, 1/s^2.
+  struct KnownHighest {
+    std::array<double, 4> inverse{};
+    double value = 0;
+  };
+  std::vector<std::array<KnownHighest, 3>> highest;  ///< row = TetId: of each round of shares
   bool measures_work = false;
   bool has_loads = false;
 };
