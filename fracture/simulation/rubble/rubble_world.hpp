@@ -27,7 +27,7 @@ struct RubbleWorld {
 /// stay with the elastic solver.
 bool has_rubble_shape(const Obstacle& obstacle);
 
-/// The components and free obstacles that are marked, all driven obstacles that `has_rubble_shape`,
+/// The components and free obstacles that are marked, all driven obstacles of the solver's shapes,
 /// and the faces that came apart between them. Pieces are the tetrahedra of their surface, those
 /// that parted from nothing and are one small convex solid that solid; shut cracks are no surface.
 /// Keys of shapes are rows of tetrahedra, those of obstacles follow.
