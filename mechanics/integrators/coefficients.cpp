@@ -18,19 +18,15 @@ double followed_rho(double rho_infinity, double time_step, double extent_travel)
 SystemMatrix system_matrix(const IntegratorSettings& settings) {
   const double h = settings.time_step;
   const auto [a, b] = settings.damping;
-  switch (settings.integrator) {
-    case Integrator::modal:
-    case Integrator::floating_frame: {
+  switch (equation_of(settings.integrator)) {
+    case StepEquation::generalised_alpha: {
       const GeneralisedAlpha g = generalised_alpha(settings.rho_infinity);
       const double rate = (1 - g.alpha_f) * g.gamma * h;
       return {1 - g.alpha_m + rate * a, rate * b + (1 - g.alpha_f) * g.beta * h * h};
     }
-    case Integrator::implicit_euler:
-    case Integrator::broyden:
-    case Integrator::newton_cg:
+    case StepEquation::implicit_euler:
       return {1 + h * a, h * b + h * h};
-    case Integrator::verlet:
-    case Integrator::sub_stepped:
+    case StepEquation::explicit_steps:
       break;
   }
   return {1, 0};
@@ -39,9 +35,8 @@ SystemMatrix system_matrix(const IntegratorSettings& settings) {
 ImpulseCoefficients impulse_coefficients(const IntegratorSettings& settings) {
   const double h = settings.time_step;
   const auto [a, b] = settings.damping;
-  switch (settings.integrator) {
-    case Integrator::modal:
-    case Integrator::floating_frame: {
+  switch (equation_of(settings.integrator)) {
+    case StepEquation::generalised_alpha: {
       const GeneralisedAlpha g = generalised_alpha(settings.rho_infinity);
       const SystemMatrix A = system_matrix(settings);
       // A dd = h (1-alpha_m) j + excess C M^-1 j
@@ -49,12 +44,9 @@ ImpulseCoefficients impulse_coefficients(const IntegratorSettings& settings) {
       const double mass = excess * b / A.stiffness;
       return {h * (1 - g.alpha_m) + excess * a - mass * A.mass, mass};
     }
-    case Integrator::implicit_euler:
-    case Integrator::broyden:
-    case Integrator::newton_cg:
+    case StepEquation::implicit_euler:
       return {h, 0};
-    case Integrator::verlet:
-    case Integrator::sub_stepped:
+    case StepEquation::explicit_steps:
       break;
   }
   return {0, h};

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "fracture/simulation/rubble/rubble_world.hpp"
 #include "fracture/simulation/simulation_state.hpp"
 #include "mechanics/contact/impact/impact_energy.hpp"
 #include "mechanics/contact/shapes/box_pairs.hpp"
@@ -41,9 +42,6 @@ struct Nodes {
   }
 };
 
-/// Meshes are no convex parts: bodies near one stay with the elastic solver.
-bool is_solid(const Obstacle& obstacle) { return std::holds_alternative<Solid>(obstacle.shape); }
-
 /// Deformable bodies may become faster than now during the tick, by this factor.
 constexpr double haste = 2;
 
@@ -55,7 +53,7 @@ std::vector<char> find_candidates(const Simulation& sim, const Nodes& nodes,
   for (std::size_t k = 0; k < nodes.count(); ++k) {
     if (!nodes.lives(k)) continue;
     if (nodes.is_ball(k)) {
-      may[k] = !is_solid(nodes.ball(k));
+      may[k] = has_rubble_shape(nodes.ball(k));
       continue;
     }
     const Component& c = nodes.component(k);
@@ -214,7 +212,7 @@ bool is_near(const Nodes& nodes, std::size_t k, const Obstacle& obstacle, const 
 /// If no active component can break or deforms for other reasons, no islands are needed.
 bool all_are_safe(RubbleChoice& choice, const Nodes& nodes, const std::vector<char>& may,
                   const RubbleInput& input) {
-  if (std::ranges::any_of(nodes.s.obstacles, is_solid)) return false;
+  if (!std::ranges::all_of(nodes.s.obstacles, has_rubble_shape)) return false;
   for (std::size_t k = 0; k < nodes.count(); ++k) {
     if (!nodes.lives(k) || nodes.is_ball(k)) continue;
     if (!may[k] || (input.threshold[k] < boundless && !input.declared[k])) return false;
@@ -265,14 +263,15 @@ RubbleChoice choose_rubble(const Simulation& sim, const RubbleInput& input) {
     island.is_rubble = island.is_rubble && may[k];
     island.has_candidate = island.has_candidate || (may[k] && !nodes.is_ball(k));
     island.is_awake = island.is_awake || !nodes.sleeps(k);
-    island.meets_solid = island.meets_solid || (nodes.is_ball(k) && is_solid(nodes.ball(k)));
+    island.meets_solid =
+        island.meets_solid || (nodes.is_ball(k) && !has_rubble_shape(nodes.ball(k)));
     if (!may[k]) continue;
     island.mass += nodes.mass(k);
     if (!nodes.sleeps(k)) island.momentum += nodes.mass(k) * nodes.velocity(k);
     for (const Obstacle& o : s.obstacles) {
       if (o.mass || !is_near(nodes, k, o, gravity, tick)) continue;
-      island.meets_solid = island.meets_solid || is_solid(o);
-      island.is_rubble = island.is_rubble && !is_solid(o);
+      island.meets_solid = island.meets_solid || !has_rubble_shape(o);
+      island.is_rubble = island.is_rubble && has_rubble_shape(o);
       island.is_torn = island.is_torn || (island.is_grounded && o.velocity != island.ground);
       island.is_grounded = true;
       island.ground = o.velocity;

@@ -169,7 +169,7 @@ void add_obstacles(RubbleWorld& world, const SimulationState& s, const std::vect
   world.of_obstacle.assign(s.obstacles.size(), RubbleWorld::no_row);
   for (std::size_t k = 0; k < s.obstacles.size(); ++k) {
     const Obstacle& o = s.obstacles[k];
-    if ((o.mass && !balls[k]) || std::holds_alternative<Solid>(o.shape)) continue;
+    if ((o.mass && !balls[k]) || !has_rubble_shape(o)) continue;
     RubbleBody body;
     body.friction = o.friction;
     body.in_ledger = false;
@@ -207,6 +207,12 @@ void add_obstacles(RubbleWorld& world, const SimulationState& s, const std::vect
 }
 
 }  // namespace
+
+bool has_rubble_shape(const Obstacle& obstacle) {
+  const Shape& shape = obstacle.shape;
+  return std::holds_alternative<Plane>(shape) || std::holds_alternative<Sphere>(shape) ||
+         std::holds_alternative<Box>(shape);
+}
 
 RubbleWorld make_rubble_world(const Simulation& sim, const std::vector<char>& component,
                               const std::vector<char>& ball) {

@@ -23,10 +23,14 @@ struct RubbleWorld {
   std::vector<std::uint32_t> of_component, of_obstacle;
 };
 
-/// The components and free obstacles that are marked, all driven obstacles but meshes, and the
-/// faces that came apart between them. Pieces are the tetrahedra of their surface, those that
-/// parted from nothing and are one small convex solid that solid; shut cracks are no surface. Keys
-/// of shapes are rows of tetrahedra, those of obstacles follow.
+/// Whether the rubble solver has such a body: planes, spheres and boxes. Bodies near other shapes
+/// stay with the elastic solver.
+bool has_rubble_shape(const Obstacle& obstacle);
+
+/// The components and free obstacles that are marked, all driven obstacles of the solver's shapes,
+/// and the faces that came apart between them. Pieces are the tetrahedra of their surface, those
+/// that parted from nothing and are one small convex solid that solid; shut cracks are no surface.
+/// Keys of shapes are rows of tetrahedra, those of obstacles follow.
 RubbleWorld make_rubble_world(const Simulation& sim, const std::vector<char>& component,
                               const std::vector<char>& ball);
 

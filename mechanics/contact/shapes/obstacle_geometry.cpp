@@ -48,6 +48,71 @@ SurfaceDistance distance_to(const Solid& solid, const Vec3& point) {
   return {at.gap, solid.orientation * at.normal};
 }
 
+// Every shape has an overload of each of these; `std::visit` does not compile without one. Those of
+// planes stand for calls that callers must not make.
+
+void move_by(Plane& plane, const Vec3& displacement) {
+  plane.offset += plane.normal.dot(displacement);
+}
+void move_by(Sphere& sphere, const Vec3& displacement) { sphere.center += displacement; }
+void move_by(Box& box, const Vec3& displacement) { box.center += displacement; }
+void move_by(Solid& solid, const Vec3& displacement) { solid.translation += displacement; }
+
+double own_volume(const Plane&) {
+  SUNDER_ASSERT(false, "a plane has no volume");
+  return 0;
+}
+double own_volume(const Sphere& sphere) {
+  return 4 * M_PI / 3 * (sphere.radius * sphere.radius * sphere.radius);
+}
+double own_volume(const Box& box) { return 8 * box.half_extent.prod(); }
+double own_volume(const Solid& solid) { return solid.surface->volume; }
+
+Pose own_pose(const Plane&) {
+  SUNDER_ASSERT(false, "a plane has no mass centre");
+  return {};
+}
+Pose own_pose(const Sphere& sphere) { return {.centre = sphere.center}; }
+Pose own_pose(const Box& box) { return {box.center, box.orientation}; }
+Pose own_pose(const Solid& solid) {
+  return {solid.translation + solid.orientation * solid.surface->centre, solid.orientation};
+}
+
+void put_at(Plane&, const Pose&) {}
+void put_at(Sphere& sphere, const Pose& pose) { sphere.center = pose.centre; }
+void put_at(Box& box, const Pose& pose) {
+  box.center = pose.centre;
+  box.orientation = pose.orientation;
+}
+void put_at(Solid& solid, const Pose& pose) {
+  solid.orientation = pose.orientation;
+  solid.translation = pose.centre - pose.orientation * solid.surface->centre;
+}
+
+double own_radius(const Plane&) {
+  SUNDER_ASSERT(false, "a plane has no radius");
+  return 0;
+}
+double own_radius(const Sphere& sphere) { return sphere.radius; }
+double own_radius(const Box& box) { return box.half_extent.norm(); }
+double own_radius(const Solid& solid) { return solid.surface->radius; }
+
+Mat3 inertia_of(const Plane&, double) {
+  SUNDER_ASSERT(false, "a plane has no inertia");
+  return Mat3::Zero();
+}
+Mat3 inertia_of(const Sphere& sphere, double mass) {
+  return 0.4 * mass * sphere.radius * sphere.radius * Mat3::Identity();
+}
+Mat3 inertia_of(const Box& box, double mass) {
+  const Vec3 square = box.half_extent.cwiseAbs2();
+  const Vec3 sums(square.y() + square.z(), square.z() + square.x(), square.x() + square.y());
+  return Mat3((mass / 3 * sums).asDiagonal());
+}
+Mat3 inertia_of(const Solid& solid, double mass) {
+  return mass / solid.surface->volume * solid.surface->inertia;
+}
+
 /// Whether a path is farther from the ball around a solid than twice its length. Then the path can
 /// meet no part of the solid.
 std::optional<FirstTouch> pass_by(const Solid& solid, const Path& path) {
@@ -182,15 +247,7 @@ Vec3 surface_velocity(const Obstacle& obstacle, const Vec3& point) {
 }
 
 void translate(Shape& shape, const Vec3& displacement) {
-  if (auto* plane = std::get_if<Plane>(&shape)) {
-    plane->offset += plane->normal.dot(displacement);
-  } else if (auto* sphere = std::get_if<Sphere>(&shape)) {
-    sphere->center += displacement;
-  } else if (auto* box = std::get_if<Box>(&shape)) {
-    box->center += displacement;
-  } else if (auto* solid = std::get_if<Solid>(&shape)) {
-    solid->translation += displacement;
-  }
+  std::visit([&](auto& s) { move_by(s, displacement); }, shape);
 }
 
 bool has_volume(const Shape& shape) {
@@ -199,39 +256,19 @@ bool has_volume(const Shape& shape) {
 }
 
 double volume_of(const Shape& shape) {
-  SUNDER_ASSERT(has_volume(shape), "a plane has no volume");
-  if (const auto* sphere = std::get_if<Sphere>(&shape)) {
-    return 4 * M_PI / 3 * (sphere->radius * sphere->radius * sphere->radius);
-  }
-  if (const auto* box = std::get_if<Box>(&shape)) return 8 * box->half_extent.prod();
-  return std::get<Solid>(shape).surface->volume;
+  return std::visit([](const auto& s) { return own_volume(s); }, shape);
 }
 
 Pose pose_of(const Shape& shape) {
-  if (const auto* sphere = std::get_if<Sphere>(&shape)) return {.centre = sphere->center};
-  if (const auto* box = std::get_if<Box>(&shape)) return {box->center, box->orientation};
-  SUNDER_ASSERT(std::holds_alternative<Solid>(shape), "a plane has no mass centre");
-  const Solid& solid = std::get<Solid>(shape);
-  return {solid.translation + solid.orientation * solid.surface->centre, solid.orientation};
+  return std::visit([](const auto& s) { return own_pose(s); }, shape);
 }
 
 void put(Shape& shape, const Pose& pose) {
-  if (auto* sphere = std::get_if<Sphere>(&shape)) {
-    sphere->center = pose.centre;
-  } else if (auto* box = std::get_if<Box>(&shape)) {
-    box->center = pose.centre;
-    box->orientation = pose.orientation;
-  } else if (auto* solid = std::get_if<Solid>(&shape)) {
-    solid->orientation = pose.orientation;
-    solid->translation = pose.centre - pose.orientation * solid->surface->centre;
-  }
+  std::visit([&](auto& s) { put_at(s, pose); }, shape);
 }
 
 double radius_of(const Shape& shape) {
-  if (const auto* sphere = std::get_if<Sphere>(&shape)) return sphere->radius;
-  if (const auto* box = std::get_if<Box>(&shape)) return box->half_extent.norm();
-  SUNDER_ASSERT(std::holds_alternative<Solid>(shape), "a plane has no radius");
-  return std::get<Solid>(shape).surface->radius;
+  return std::visit([](const auto& s) { return own_radius(s); }, shape);
 }
 
 double moment_of_inertia(const Obstacle& free_sphere) {
@@ -242,15 +279,7 @@ double moment_of_inertia(const Obstacle& free_sphere) {
 
 Mat3 own_inertia(const Obstacle& free) {
   SUNDER_ASSERT(free.mass.has_value(), "only a free obstacle has an inertia");
-  if (const auto* box = std::get_if<Box>(&free.shape)) {
-    const Vec3 square = box->half_extent.cwiseAbs2();
-    const Vec3 sums(square.y() + square.z(), square.z() + square.x(), square.x() + square.y());
-    return Mat3((*free.mass / 3 * sums).asDiagonal());
-  }
-  if (const auto* solid = std::get_if<Solid>(&free.shape)) {
-    return *free.mass / solid->surface->volume * solid->surface->inertia;
-  }
-  return moment_of_inertia(free) * Mat3::Identity();
+  return std::visit([&](const auto& s) { return inertia_of(s, *free.mass); }, free.shape);
 }
 
 Mat3 inverse_inertia(const Obstacle& free) {

@@ -16,14 +16,38 @@ enum class Integrator {
   modal,           ///< floating_frame with every mode exact, for small bodies
 };
 
+/// The equation of motion that an integrator solves; its coefficients follow (coefficients.hpp).
+enum class StepEquation {
+  generalised_alpha,  ///< of the deformation in the body frame
+  implicit_euler,     ///< of positions and velocities
+  explicit_steps,     ///< none: forces at known positions
+};
+
+/// The equation of each integrator.
+constexpr StepEquation equation_of(Integrator integrator) {
+  switch (integrator) {
+    case Integrator::floating_frame:
+    case Integrator::modal:
+      return StepEquation::generalised_alpha;
+    case Integrator::implicit_euler:
+    case Integrator::broyden:
+    case Integrator::newton_cg:
+      return StepEquation::implicit_euler;
+    case Integrator::verlet:
+    case Integrator::sub_stepped:
+      break;
+  }
+  return StepEquation::explicit_steps;
+}
+
 /// True if `explicit_step_bound` limits the step.
 constexpr bool is_explicit(Integrator integrator) {
-  return integrator == Integrator::verlet || integrator == Integrator::sub_stepped;
+  return equation_of(integrator) == StepEquation::explicit_steps;
 }
 
 /// True if rigid motion is integrated separately, with momenta of its own.
 constexpr bool is_floating(Integrator integrator) {
-  return integrator == Integrator::floating_frame || integrator == Integrator::modal;
+  return equation_of(integrator) == StepEquation::generalised_alpha;
 }
 
 /// The elastic model.

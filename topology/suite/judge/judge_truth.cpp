@@ -61,8 +61,7 @@ TrueStep take(GlueTwin& twin, const Step& step) {
 /// The laws of one split that need no counting (docs/reference/suite.md).
 void check_laws(Checks& checks, const GlueTwin& twin, const TrueStep& step) {
   const std::size_t s_v = step.split.vertices.size(), s_e = step.split.edges.size();
-  const bool lawful =
-      (s_v != 1 || s_e >= 2) && (s_v < 2 || s_e == 3) && (s_v == 3 || !step.split.separated);
+  const bool lawful = s_e >= least_split_edges(s_v) && (s_v == 3 || !step.split.separated);
   if (same(checks, true, lawful)) return;
   differ(checks,
          fmt::format("law of a split at face {}", fmt::join(points_of(twin, step.step.a), " ")),

@@ -83,6 +83,11 @@ struct SplitAnswer {
 /// The vertex-split oracle of section 4.2: all three vertices split.
 inline bool oracle_says_new(const SplitAnswer& s) { return s.did && s.vertices.size() == 3; }
 
+/// Fewest edges that come apart with so many vertices: a vertex needs its two edges of the face.
+constexpr std::size_t least_split_edges(std::size_t vertices) {
+  return vertices >= 2 ? 3 : vertices == 1 ? 2 : 0;
+}
+
 /// Betti numbers b0 to b3 over a field.
 using BettiNumbers = std::array<std::size_t, 4>;
 

@@ -72,7 +72,7 @@ CellCounts counts_before(const CellCounts& after, const SplitAnswer& answer) {
 void judge_answer(Checks& checks, const SplitAnswer& answer) {
   if (!answer.did) return;
   const std::size_t v = answer.vertices.size(), e = answer.edges.size();
-  const std::size_t least = v >= 2 ? 3 : v == 1 ? 2 : 0;
+  const std::size_t least = least_split_edges(v);
   if (!same(checks, true, v <= 3 && e <= 3 && e >= least)) {
     differ(checks, fmt::format("law: edges apart with {} vertices", v),
            fmt::format("{} to 3", least), std::to_string(e));
