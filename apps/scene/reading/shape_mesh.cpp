@@ -19,7 +19,6 @@ constexpr double most_tetrahedra = 1e8;
 constexpr double pi = M_PI;
 
 double volume_of(const BoxShape& b) { return b.size.prod(); }
-double volume_of(const PlateShape& p) { return p.width * p.length * p.thickness; }
 double volume_of(const CylinderShape& c) { return pi * c.radius * c.radius * c.height; }
 double volume_of(const TubeShape& t) {
   return pi * (t.outer_radius * t.outer_radius - t.inner_radius * t.inner_radius) * t.height;

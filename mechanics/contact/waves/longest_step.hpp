@@ -12,12 +12,13 @@ namespace sunder {
 double highest_of_element(const FirstOrderBlock& block, std::size_t lane,
                           const std::array<double, 4>& inverse);
 
-/// s: the longest step h that is stable for all bodies; infinite without any. Elements of first
+/// s: the longest step h to be taken with all bodies; infinite without any. Elements of first
 /// order, but scaled ones, share the mass of each node. With M_e the share of an element, and b its
-/// viscosity, (h^2 + 2 h b) K_e <= 4 M_e for each of them gives h^2 K + 2 h C <= 4 M. The shares
-/// begin as those of `stable_step`. They grow twice with the eigenvalues that they allow, as far
-/// as a cheap bound needs it. Bodies of second order keep `stable_step`. O(elements) for those
-/// whose nodes have changed. Needs: packed blocks.
+/// viscosity, (h^2 + 2 h b) K_e <= 4 M_e for each of them gives h^2 K + 2 h C <= 4 M: h is stable.
+/// The shares begin as those of `stable_step`, and grow twice with the eigenvalues that they allow.
+/// The step is five sixths of the h of the body with the shortest, and `stable_step` where that is
+/// more or a body is of second order. O(elements) for those whose nodes have changed. Needs: packed
+/// blocks.
 double longest_step(WaveBodies& waves);
 
 }  // namespace sunder
