@@ -261,8 +261,9 @@ Result<Mended> mend(FileMesh surface, Mending mending) {
   if (!patient.words.empty()) {
     result.findings.push_back(repaired(before, patient.surface, old_volume, volume, patient.words));
   }
-  if (auto parts = several_parts(patient.check.components))
+  if (auto parts = several_parts(patient.check.components)) {
     result.findings.push_back(std::move(*parts));
+  }
   result.value = Mended{std::move(patient.surface), volume};
   return result;
 }

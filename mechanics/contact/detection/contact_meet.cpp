@@ -111,11 +111,10 @@ void leave_to_next_pass(ContactStep& step) {
   });
 }
 
-/// The part of a unit impulse along `along` (world) that acts on nodes that it moves.
-double loose_share(const MechanicsState& state, ComponentId id, const TouchedNodes& nodes,
-                   const Vec3& along) {
-  const Component& component = state.components[id.index()];
-  if (!component.supported) return 1;
+/// The part of a unit impulse along `along` (world) that acts on nodes that it moves. Needs: a
+/// component that supports hold.
+double loose_share(const MechanicsState& state, const Component& component,
+                   const TouchedNodes& nodes, const Vec3& along) {
   const Vec3 in_body = component.orientation.conjugate() * along;
   double share = 0;
   for (std::size_t i = 0; i < nodes.count; ++i) {
@@ -130,17 +129,20 @@ bool meets_at_supports(const ContactStep& step, const ContactPoint& contact) {
   constexpr double least_share = 1e-3;
   const MechanicsState& state = step.pass.state;
   const std::span<const Corners> corners = step.pass.input.corners;
-  const auto obstacle_moves = [&](std::uint32_t row) { return step.pass.obstacles[row].mass > 0; };
-  const auto body_moves = [&](ComponentId id, const TouchedNodes& nodes) {
-    return loose_share(state, id, nodes, contact.normal) > least_share;
+  const auto body_holds = [&](ComponentId id, const auto& nodes_of_side) {
+    const Component& component = state.components[id.index()];
+    return component.supported &&
+           loose_share(state, component, nodes_of_side(), contact.normal) <= least_share;
   };
-  if (contact.is_body_a() ? body_moves(component_of_a(contact, state), nodes_of_a(contact, corners))
-                          : obstacle_moves(contact.ball)) {
-    return false;
-  }
-  return !(contact.is_body_b()
-               ? body_moves(component_of_b(contact, state), touched_nodes(contact, state, corners))
-               : obstacle_moves(contact.obstacle));
+  const auto obstacle_holds = [&](std::uint32_t row) { return !step.pass.obstacles[row].mass; };
+  const bool a_holds =
+      contact.is_body_a()
+          ? body_holds(component_of_a(contact, state), [&] { return nodes_of_a(contact, corners); })
+          : obstacle_holds(contact.ball);
+  if (!a_holds) return false;
+  return contact.is_body_b() ? body_holds(component_of_b(contact, state),
+                                          [&] { return touched_nodes(contact, state, corners); })
+                             : obstacle_holds(contact.obstacle);
 }
 
 /// Finds the contacts that the step looks for, but those that no impulse parts.

@@ -75,9 +75,17 @@ std::vector<double> sums_of_claims(const WaveBodies& waves, const std::vector<do
   return sums;
 }
 
-/// `highest_of_element`, once for the same masses.
-double highest_of(WaveBodies::KnownHighest& known, const FirstOrderBlock& block, std::size_t lane,
-                  const std::array<double, 4>& inverse) {
+/// Highest eigenvalue, 1/s^2, of an element with its share of the masses. Computed once for the
+/// same masses.
+double highest_of_share(WaveBodies& waves, TetId t, std::size_t round, const FirstOrderBlock& block,
+                        std::size_t lane, double claim, const std::vector<double>& sums) {
+  std::array<double, 4> inverse;
+  for (std::size_t a = 0; a < 4; ++a) {
+    const std::uint32_t node = block.node[a][lane];
+    const double own = claim * waves.stiffness[t.index()][a];
+    inverse[a] = waves.nodes.inverse_mass[node] * sums[node] / own;
+  }
+  WaveBodies::KnownHighest& known = waves.highest[t.index()][round];
   if (known.inverse != inverse) known = {inverse, highest_of_element(block, lane, inverse)};
   return known.value;
 }
@@ -104,29 +112,21 @@ double longest_step(WaveBodies& waves) {
   constexpr std::size_t rounds = std::tuple_size_v<decltype(waves.highest)::value_type>;
   constexpr double infinite = std::numeric_limits<double>::infinity();
   std::vector<double> claim(waves.stiffness.size(), 1);
-  std::vector<double> allowed(waves.bodies.size(), infinite);
+  std::vector<double> allowed(waves.bodies.size());
   waves.highest.resize(waves.stiffness.size());
   for (std::size_t round = 0; round < rounds; ++round) {
     const std::vector<double> sums = sums_of_claims(waves, claim);
+    allowed.assign(waves.bodies.size(), infinite);
     for (std::size_t b = 0; b < waves.bodies.size(); ++b) {
       if (!is_first_order(waves.bodies[b])) continue;
-      for_each_unscaled(waves, waves.bodies[b],
-                        [&](TetId t, const FirstOrderBlock& block, std::size_t lane) {
-                          std::array<double, 4> inverse;
-                          for (std::size_t a = 0; a < 4; ++a) {
-                            const std::uint32_t node = block.node[a][lane];
-                            const double own = claim[t.index()] * waves.stiffness[t.index()][a];
-                            inverse[a] = waves.nodes.inverse_mass[node] * sums[node] / own;
-                          }
-                          const double highest =
-                              highest_of(waves.highest[t.index()][round], block, lane, inverse);
-                          if (!(highest > 0)) return;
-                          claim[t.index()] *= highest;
-                          if (round + 1 < rounds) return;
-                          const double viscosity = block.viscosity[lane];
-                          const double root = std::sqrt(viscosity * viscosity + 4 / highest);
-                          allowed[b] = std::min(allowed[b], 4 / (highest * (viscosity + root)));
-                        });
+      const auto visit = [&](TetId t, const FirstOrderBlock& block, std::size_t lane) {
+        double& own = claim[t.index()];
+        const double highest = highest_of_share(waves, t, round, block, lane, own, sums);
+        if (!(highest > 0)) return;
+        own *= highest;
+        allowed[b] = std::min(allowed[b], step_of(highest, highest * block.viscosity[lane]));
+      };
+      for_each_unscaled(waves, waves.bodies[b], visit);
     }
   }
   double longest = infinite;

@@ -82,6 +82,7 @@ LumpedMotion motion_of(const LumpedRow& row, const LumpedContacts& contacts) {
 /// Whether a node of the row answers together with others, whose impulses move it unseen.
 bool is_in_cluster(const LumpedRow& row, const LumpedContacts& contacts, const WaveNodes& nodes) {
   bool any = false;
+  if (nodes.scaled.empty()) return any;
   for (const LumpedSide& side : row.sides) {
     for_each_end(side, contacts, [&](const LumpedEnd& end) {
       any = any || nodes.cluster[end.node] != ScaledCells::none;
@@ -156,8 +157,7 @@ Vec3 wanted_impulse(const LumpedRow& row, const Vec3& slip, double step) {
 
 /// Sides count as moved from here on, and no row as visited.
 void forget_visits(LumpedContacts& contacts, const WaveNodes& nodes) {
-  constexpr std::uint32_t never = 0xffffffffu;
-  contacts.seen.assign(contacts.rows.size(), {-1, never});
+  contacts.seen.assign(contacts.rows.size(), {-1, 0});
   contacts.node_motion.assign(nodes.inverse_mass.size(), {});
   for (WaveRigid& body : contacts.rigid) body.motion = {};
 }
@@ -310,14 +310,7 @@ void turn_rigid(LumpedContacts& contacts, double least) {
 }
 
 void begin_rows(LumpedContacts& contacts, WaveNodes& nodes, const RowStep& step) {
-  for (const LumpedRow& row : contacts.rows) {
-    for (const LumpedSide& side : row.sides) {
-      if (side.rigid == LumpedSide::none) continue;
-      double& reach = contacts.rigid[side.rigid].reach;
-      reach = std::max(reach, side.arm.norm());
-    }
-  }
-  forget_visits(contacts, nodes);
+  contacts.node_motion.resize(nodes.inverse_mass.size());
   for (LumpedRow& row : contacts.rows) {
     if (row.impulse.isZero(0)) continue;
     row.impulse *= step.growth;

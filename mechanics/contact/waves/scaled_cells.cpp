@@ -19,8 +19,8 @@ namespace {
 constexpr std::size_t most_nodes = 32;
 
 /// s: the step that the stiffness at a node allows.
-double step_of(const WaveNodes& nodes, const std::vector<double>& stiffness, std::size_t i) {
-  return 2 / std::sqrt(stiffness[i] * nodes.inverse_mass[i]);
+double step_at(const WaveNodes& nodes, const std::vector<double>& stiffness, std::size_t i) {
+  return step_of(stiffness[i] * nodes.inverse_mass[i], 0);
 }
 
 /// Cells around each node.
@@ -71,7 +71,7 @@ void mark_cells(std::vector<char>& is_scaled, std::vector<double>& stiffness,
                 const StepInput& input, double target) {
   std::vector<std::pair<double, TetId>> around;
   for (std::uint32_t i = 0; i < waves.nodes.size(); ++i) {
-    if (!(step_of(waves.nodes, stiffness, i) < target)) continue;
+    if (!(step_at(waves.nodes, stiffness, i) < target)) continue;
     around.clear();
     for (std::uint32_t k = cells.first[i]; k < cells.first[i + 1]; ++k) {
       const TetId t = cells.cell[k];
@@ -81,7 +81,7 @@ void mark_cells(std::vector<char>& is_scaled, std::vector<double>& stiffness,
     }
     std::ranges::sort(around, std::ranges::greater{});
     for (const auto& [own_stiffness, t] : around) {
-      if (!(step_of(waves.nodes, stiffness, i) < target)) break;
+      if (!(step_at(waves.nodes, stiffness, i) < target)) break;
       is_scaled[t.index()] = 1;
       const ElementNodes own = nodes_of(state.elements, input.corners, t);
       for (std::size_t a = 0; a < own.count; ++a) {
@@ -242,7 +242,7 @@ void choose_scaled_cells(WaveBodies& waves, std::vector<char>& is_scaled,
   clear_clusters(nodes);
   std::vector<double> steps;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    if (nodes.inverse_mass[i] > 0) steps.push_back(step_of(nodes, nodes.stiffness, i));
+    if (nodes.inverse_mass[i] > 0) steps.push_back(step_at(nodes, nodes.stiffness, i));
   }
   if (steps.empty()) return;
   std::ranges::sort(steps);

@@ -293,12 +293,14 @@ void drift(WaveBodies& waves, WaveBody& body, double step) {
   if (body.supported) body.frame.centre += step * body.frame_velocity;
 }
 
+double step_of(double s, double d) { return 4 / (d + std::sqrt(d * d + 4 * s)); }
+
 double stable_step(const WaveBodies& waves, const WaveBody& body) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = body.first_node; i < body.end_node; ++i) {
     const double w = waves.nodes.inverse_mass[i];
     const double s = w * waves.nodes.stiffness[i], d = w * waves.nodes.damping[i];
-    if (s > 0) least = std::min(least, 4 / (d + std::sqrt(d * d + 4 * s)));
+    if (s > 0) least = std::min(least, step_of(s, d));
   }
   return least;
 }

@@ -132,6 +132,9 @@ void measure_work(const WaveBodies& waves, WaveBody& body);
 /// position += `step` s times velocity.
 void drift(WaveBodies& waves, WaveBody& body, double step);
 
+/// s: the h of h^2 s + 2 h d = 4, with s in 1/s^2 and d in 1/s.
+double step_of(double s, double d);
+
 /// s: the longest step h that is stable for a body once its bad cells are scaled
 /// (`prepare_scaled_cells`): at each node, of all other cells, h^2 s + 2 h d <= 4 m, with s and d
 /// the sums of stiffness and damping. Then h^2 K + 2 h C <= 4 M, the bound of central differences

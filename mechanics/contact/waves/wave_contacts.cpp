@@ -18,10 +18,12 @@
 namespace sunder {
 namespace {
 
-LumpedSide side_of_rigid(const WaveScratch& wave, std::uint32_t rigid, const Vec3& place) {
+LumpedSide side_of_rigid(WaveScratch& wave, std::uint32_t rigid, const Vec3& place) {
   LumpedSide side;
+  WaveRigid& body = wave.contacts.rigid[rigid];
   side.rigid = rigid;
-  side.arm = place - wave.contacts.rigid[rigid].centre;
+  side.arm = place - body.centre;
+  body.reach = std::max(body.reach, side.arm.norm());
   return side;
 }
 
@@ -45,7 +47,7 @@ LumpedSide side_of_component(WaveScratch& wave, ComponentId id, const TouchedNod
   return side;
 }
 
-LumpedSide side_of_obstacle(const WaveScratch& wave, const ContactStep& step, std::uint32_t row,
+LumpedSide side_of_obstacle(WaveScratch& wave, const ContactStep& step, std::uint32_t row,
                             const Vec3& place) {
   const std::uint32_t rigid = wave.rigid_of_obstacle[row];
   if (rigid != LumpedSide::none) return side_of_rigid(wave, rigid, place);

@@ -64,6 +64,9 @@ struct Problem {
       const auto [along, across] = response_of(side, contacts, waves.nodes, row.normal);
       row.normal_response += along;
       row.tangential_response += across;
+      if (side.rigid == LumpedSide::none) continue;
+      double& reach = contacts.rigid[side.rigid].reach;
+      reach = std::max(reach, side.arm.norm());
     }
     contacts.rows.push_back(row);
   }
