@@ -6,14 +6,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstdlib>
 #include <limits>
 #include <utility>
 
 #include "fracture/scene/body_measures.hpp"
 #include "fracture/scene/check_scene.hpp"
-#include "mechanics/contact/shapes/obstacle_geometry.hpp"
 
 namespace sunder {
 namespace {
@@ -23,81 +20,20 @@ struct Outlook {
   Accuracy accuracy = Accuracy::good;
   /// m, the smallest mean cell of the bodies.
   double cell = 0;
-  /// m/s, at which things may meet: speeds of bodies and obstacles, and the gain in a fall.
-  double speed = 0;
-  /// Stress rho c v of such a blow over the strength, the largest of all bodies; 0 where nothing
-  /// can break.
-  double blow = 0;
-  /// Whether a body may lie on another at the start.
-  bool is_heap = false;
   /// Node stress `fit` has no certificate.
   bool fits = false;
   /// Of all bodies.
   std::size_t tetrahedra = 0;
-
-  /// Whether the blow breaks the struck body.
-  bool breaks() const { return blow >= 1; }
 };
-
-/// m, how far the lowest point of a body may fall on to a plane in the duration of the run: a body
-/// that stands on it does not fall.
-double fall_of(const Scene& scene, std::span<const BodyMeasures> measures) {
-  const double g = scene.gravity.acceleration.norm();
-  if (!(g > 0)) return 0;
-  const Vec3 down = scene.gravity.acceleration / g;
-  double fall = 0;
-  for (const Obstacle& obstacle : scene.obstacles) {
-    const auto* plane = std::get_if<Plane>(&obstacle.shape);
-    if (plane == nullptr || !(plane->normal.dot(down) < 0)) continue;
-    for (const BodyMeasures& m : measures) {
-      double lowest = std::numeric_limits<double>::infinity();
-      for (int corner = 0; corner < 8; ++corner) {
-        const Vec3 x = m.box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner));
-        lowest = std::min(lowest, surface_distance(*plane, x).gap / -plane->normal.dot(down));
-      }
-      fall = std::max(fall, lowest);
-    }
-  }
-  return std::min(fall, g * scene.duration * scene.duration / 2);
-}
-
-bool is_heap(const Scene& scene, std::span<const BodyMeasures> measures) {
-  for (std::size_t a = 0; a < scene.bodies.size(); ++a) {
-    for (std::size_t b = 0; b < a; ++b) {
-      const double near = 0.1 * std::min(measures[a].cell, measures[b].cell);
-      if (measures[a].box.exteriorDistance(measures[b].box) <= near) return true;
-    }
-  }
-  return false;
-}
 
 /// `measures`: of each body.
 Outlook look_ahead(const Scene& scene, Accuracy accuracy, std::span<const BodyMeasures> measures) {
   Outlook o;
   o.accuracy = accuracy;
   o.cell = std::numeric_limits<double>::infinity();
-  double of_bodies = 0, of_obstacles = 0;
-  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-    const BodySettings& body = scene.bodies[b];
-    o.cell = std::min(o.cell, measures[b].cell);
-    of_bodies =
-        std::max(of_bodies, body.velocity.norm() + body.spin.norm() * measures[b].extent / 2);
-    for (const HeldBox& held : body.held) of_bodies = std::max(of_bodies, held.velocity.norm());
-  }
-  for (const Obstacle& k : scene.obstacles)
-    of_obstacles = std::max(of_obstacles, k.velocity.norm());
-  const double apart = of_bodies + of_obstacles;
-  o.speed =
-      std::sqrt(apart * apart + 2 * scene.gravity.acceleration.norm() * fall_of(scene, measures));
-  o.is_heap = is_heap(scene, measures);
-  o.fits = scene.fracture.node_stress == NodeStress::fit;
+  for (const BodyMeasures& m : measures) o.cell = std::min(o.cell, m.cell);
   for (const BodySettings& body : scene.bodies) o.tetrahedra += body.mesh.tetrahedra.size();
-  const bool can_meet = !scene.obstacles.empty() || scene.bodies.size() > 1;
-  if (scene.fracture.mode == FractureMode::off || !can_meet) return o;
-  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-    const double stress = scene.bodies[b].material.density * measures[b].wave_speed * o.speed;
-    o.blow = std::max(o.blow, stress / measures[b].strength);
-  }
+  o.fits = scene.fracture.node_stress == NodeStress::fit;
   return o;
 }
 
@@ -120,28 +56,13 @@ double by(const Outlook& o, double preview, double good, double reference) {
   return std::array{preview, good, reference}[static_cast<std::size_t>(o.accuracy)];
 }
 
-std::string blow_of(const Outlook& o) {
-  return fmt::format("an impact at {:.2g} m/s gives {:.2g} times the strength", o.speed, o.blow);
-}
-
 Chosen iterations(const Outlook& o) {
-  if (!o.breaks()) {
-    return {by(o, 100, 2000, 10000),
-            "no breaking impact expected; iterations end at the tolerance, and stacks of unequal "
-            "masses need a thousand"};
-  }
-  return {by(o, 20, 40, 1000), blow_of(o) + "; 40 iterations give nearly the cracks of 200"};
+  return {by(o, 100, 2000, 10000),
+          "iterations end at the tolerance; stacks of unequal masses need a thousand"};
 }
 
 Chosen passes(const Outlook& o) {
-  if (o.is_heap) {
-    return {by(o, 3, 10, 10), "stacked bodies need several contact passes"};
-  }
-  if (!o.breaks())
-    return {by(o, 3, 10, 10),
-            "no breaking impact expected; a step takes only the passes that it needs"};
-  return {by(o, 1, 1, 3),
-          blow_of(o) + "; one pass gives nearly the cracks of three, in a third of the time"};
+  return {by(o, 3, 10, 20), "a step takes only the passes that it needs"};
 }
 
 Chosen tolerance(const Outlook& o) {

@@ -70,14 +70,15 @@ struct PassingPair {
   Places of_b(double part) const { return places_after(paths, turning_b, b, part); }
 
   /// Whether they overlap by more than the tolerance between two moments, at both of which they do
-  /// not. One that takes more looks than there are is not known to.
+  /// not. Where there are too few looks to know it, they may: shorter steps will show.
   bool overlaps(double from, double to, const Places& p, const Places& q, const Places& r,
                 const Places& s) {
     const double span = to - from;
     const double arc =
         sagitta(span * turning_a.angle, arm_a) + sagitta(span * turning_b.angle, arm_b);
     if (common_gap(p, q, r, s, arc - tolerance) >= arc - tolerance) return false;
-    if (farthest(p, q, r, s) + arc < tolerance || --looks_left <= 0) return false;
+    if (farthest(p, q, r, s) + arc < tolerance) return false;
+    if (--looks_left <= 0) return true;
     const double middle = 0.5 * (from + to);
     const Places m = of_a(middle), n = of_b(middle);
     if (common_gap(m, n, m, n, -tolerance) < -tolerance) return true;
