@@ -19,6 +19,7 @@
 #include "apps/sunder/fragments/fragment_sizes.hpp"
 #include "apps/sunder/program.hpp"
 #include "apps/sunder/render/render.hpp"
+#include "apps/sunder/run/pictures.hpp"
 #include "apps/sunder/run/report/settings_report.hpp"
 #include "apps/sunder/run/run.hpp"
 #include "fracture/scene/expected_time.hpp"
@@ -33,12 +34,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
-
-#if defined(SUNDER_HAS_RENDERER)
-constexpr bool with_pictures = true;
-#else
-constexpr bool with_pictures = false;
-#endif
 
 /// Sizes of the film and of the other pictures, pixels.
 constexpr std::uint32_t film_width = 960, film_height = 540;
@@ -78,6 +73,7 @@ struct Work {
   std::string name;
   Thing thing = {};
   double metres = 1;  ///< per unit of the thing
+  bool draws = true;  ///< pictures can be drawn here
   Clock::time_point start = Clock::now();
 
   double elapsed() const { return std::chrono::duration<double>(Clock::now() - start).count(); }
@@ -101,7 +97,7 @@ bool read(Work& work) {
 /// The scene for a mesh that lies on the ground.
 nlohmann::ordered_json scene_of(const Work& work, const TetMesh& mesh) {
   return break_scene({work.name, work.name + ".msh", mesh, *find_material(work.a.material)},
-                     blow_of(work.a), work.a.times, with_pictures);
+                     blow_of(work.a), work.a.times, work.draws);
 }
 
 /// s of computing that a mesh is expected to take: its run, pictures and film.
@@ -113,7 +109,7 @@ double expected_seconds(const Work& work, const TetMesh& mesh) {
   if (!file) return 0;
   double seconds = expected_time(file->scene).between(0, file->scene.duration);
   const auto cells = static_cast<double>(mesh.tetrahedra.size());
-  if (!with_pictures) return seconds;
+  if (!work.draws) return seconds;
   seconds += drawing_time(file->output.pictures.count, picture_megapixels, cells);
   const double film = drawing_time(file->output.frames, film_width * film_height * 1e-6, cells);
   return work.a.no_film ? seconds : seconds + film;
@@ -165,7 +161,7 @@ Finding over_budget(double expected, const std::string& budget, bool is_solid) {
 /// Leaves the film out where it would take too much of the budget.
 void judge_film(Work& work, double budget, double cells) {
   BreakArguments& a = work.a;
-  if (a.no_film || !with_pictures) return;
+  if (a.no_film || !work.draws) return;
   const double film = drawing_time(film_frames, film_width * film_height * 1e-6, cells);
   if (film < 0.5 * budget) return;
   a.no_film = true;
@@ -286,7 +282,8 @@ ExitCode tell_film(const BreakArguments& a, const fs::path& scene, const fs::pat
 #endif
 
 /// The sentence about a finished run and the places of its files.
-ExitCode tell_outcome(const BreakArguments& a, const fs::path& scene, const fs::path& run) {
+ExitCode tell_outcome(const Work& work, const fs::path& scene, const fs::path& run) {
+  const BreakArguments& a = work.a;
   const Result<PieceColumns> pieces = read_fragments(run / "fragments.csv");
   tell(pieces.findings, a);
   if (!pieces) return ExitCode::failed;
@@ -295,12 +292,13 @@ ExitCode tell_outcome(const BreakArguments& a, const fs::path& scene, const fs::
   print("\n{}\n", outcome_sentence(pieces->mass, cracks > 0 ? cracks - 1 : 0));
   print("Scene     {}\n", shell_word(scene.string()));
 #if defined(SUNDER_HAS_RENDERER)
-  print("Pictures  {}\n", shell_word((run / "picture_005.png").string()));
-  return a.no_film ? ExitCode::fine : tell_film(a, scene, run);
-#else
+  if (work.draws) {
+    print("Pictures  {}\n", shell_word((run / "picture_005.png").string()));
+    return a.no_film ? ExitCode::fine : tell_film(a, scene, run);
+  }
+#endif
   print("Frames    {}\n", shell_word((run / "frames.pvd").string()));
   return ExitCode::fine;
-#endif
 }
 
 }  // namespace
@@ -309,6 +307,7 @@ ExitCode break_object(BreakArguments a) {
   Work work{a, name_of(a.thing)};
   if (a.folder.empty()) a.folder = fs::path("out") / work.name;
   if (!read(work)) return ExitCode::bad_input;
+  work.draws = may_draw(a);
   const std::optional<TetMesh> mesh = mesh_of(work);
   if (!mesh) return ExitCode::bad_input;
   const fs::path file = a.folder / (work.name + ".msh"), scene = a.folder / (work.name + ".json");
@@ -327,7 +326,7 @@ ExitCode break_object(BreakArguments a) {
   run.folder = a.folder / "run";
   run.force = true;
   const ExitCode code = run_scene(run);
-  return code == ExitCode::fine ? tell_outcome(a, scene, run.folder) : code;
+  return code == ExitCode::fine ? tell_outcome(work, scene, run.folder) : code;
 }
 
 }  // namespace sunder

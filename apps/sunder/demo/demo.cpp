@@ -13,6 +13,7 @@
 
 #include "apps/sunder/demo/demo_files.hpp"
 #include "apps/sunder/program.hpp"
+#include "apps/sunder/run/pictures.hpp"
 #include "apps/sunder/run/run.hpp"
 #if defined(SUNDER_HAS_VIEW)
 #include "apps/sunder/view/view.hpp"
@@ -67,19 +68,18 @@ ExitCode show_demo(const fs::path& folder, const Telling& telling) {
   run.folder = folder / "run";
   run.force = true;
   run.settings = {"output.frames=26"};
-#if defined(SUNDER_HAS_RENDERER)
-  run.settings.push_back("output.pictures.count=6");
-#endif
+  const bool draws = may_draw(telling);
+  if (draws) run.settings.push_back("output.pictures.count=6");
   const ExitCode code = run_scene(run);
   if (code != ExitCode::fine) return code;
   const std::string sunder = program_word();
   const auto in_folder = [&](const char* name) { return shell_word((folder / name).string()); };
-#if defined(SUNDER_HAS_RENDERER)
-  print("\nLook at   {}\nThen      {} render {} pieces.png --explode 0.6\n",
-        in_folder("run/picture_005.png"), sunder, in_folder("run"));
-#else
-  print("\nLook at   {} with ParaView\n", in_folder("run/frames.pvd"));
-#endif
+  if (draws) {
+    print("\nLook at   {}\nThen      {} render {} pieces.png --explode 0.6\n",
+          in_folder("run/picture_005.png"), sunder, in_folder("run"));
+  } else {
+    print("\nLook at   {} with ParaView\n", in_folder("run/frames.pvd"));
+  }
 #if defined(SUNDER_HAS_VIEW)
   print("and       {} view {}    ({})\n", sunder, in_folder("ball.json"),
         page_is_built() ? "in the browser: throw balls, pull, cut"

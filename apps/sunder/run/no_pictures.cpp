@@ -11,6 +11,12 @@ Pictures::Pictures(Pictures&&) noexcept = default;
 Pictures& Pictures::operator=(Pictures&&) noexcept = default;
 Pictures::~Pictures() = default;
 
+std::optional<Finding> cannot_draw() {
+  return Finding{.code = "no_renderer",
+                 .text = "this sunder was built without the renderer",
+                 .remedy = "build with it: cmake --preset release -DSUNDER_BUILD_RENDERER=ON"};
+}
+
 Result<Pictures> Pictures::open(const Simulation&, const OutputSettings&) {
   return Finding{.code = "no_renderer",
                  .text = "pictures are requested, but this sunder was built without the renderer",

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "apps/output/smooth_cracks.hpp"
+#include "apps/render/headless_context.hpp"
 #include "apps/render/renderer.hpp"
 #include "apps/sunder/render/picture_scene.hpp"
 #include "fracture/simulation/simulation_state.hpp"
@@ -62,6 +63,12 @@ PictureBodies bodies_of(const SimulationState& state, CrackSurface cracks) {
 }
 
 }  // namespace
+
+std::optional<Finding> cannot_draw() {
+  Result<render::HeadlessContext> context = render::HeadlessContext::create();
+  if (context) return std::nullopt;
+  return std::move(context.findings.front());
+}
 
 struct Pictures::Parts {
   OutputSettings output;

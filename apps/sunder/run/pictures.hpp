@@ -4,12 +4,28 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "apps/scene/output_settings.hpp"
+#include "apps/sunder/telling.hpp"
 #include "fracture/simulation/simulation.hpp"
 
 namespace sunder {
+
+/// The reason why no picture can be drawn on this machine, with a remedy; none where it can. Takes
+/// a tenth of a second.
+std::optional<Finding> cannot_draw();
+
+/// Whether pictures can be drawn on this machine. If not, a note gives the reason.
+inline bool may_draw(const Telling& telling) {
+  std::optional<Finding> reason = cannot_draw();
+  if (!reason) return true;
+  reason->severity = Severity::note;
+  reason->text = "no pictures: " + reason->text;
+  tell_beside({*reason}, telling);
+  return false;
+}
 
 /// Draws pictures of one run, all seen by the same camera.
 class Pictures {
