@@ -11,10 +11,12 @@ import collections
 import json
 import math
 import pathlib
-import resource
 import statistics
-import subprocess
+import sys
 import tempfile
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "meshes/scenes"))
+import measure  # noqa: E402
 
 FIGURES = {
     "seconds": lambda r: r["processor"],
@@ -33,15 +35,11 @@ FIGURES = {
 
 def run(program, scene, folder, settings):
     out = pathlib.Path(folder, "out")
-    before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
-    command = [program, "run", scene, "-o", out, "--force", "--set", "energy_ledger=true",
-               "--set", "output.frames=0"]
-    for one in settings:
-        command += ["--set", one]
-    subprocess.run(command, check=True, capture_output=True)
-    report = json.loads((out / "report.json").read_text())
-    report["processor"] = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
-    return report
+    words = [program, "run", scene, "-o", out, "--force"]
+    for one in ["energy_ledger=true", "output.frames=0", *settings]:
+        words += ["--set", one]
+    seconds = measure.processor_seconds([str(word) for word in words])
+    return json.loads((out / "report.json").read_text()) | {"processor": seconds}
 
 
 def main():

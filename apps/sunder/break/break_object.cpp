@@ -107,8 +107,7 @@ double expected_seconds(const Work& work, const TetMesh& mesh) {
   files.mesh = [&](const std::string&) { return Result<TetMesh>(mesh); };
   Result<SceneFile> file = read_scene(SceneBytes{text, work.name + ".json"}, files);
   if (!file) return 0;
-  // Thin things break by blows far below the strength, and a body that breaks takes ten times as
-  // long: a budget has room for it.
+  // Thin things bend, and break by blows far below the strength. A budget has room for that.
   for (BodySettings& body : file->scene.bodies) body.material.tensile_strength *= 0.1;
   double seconds = expected_time(file->scene).between(0, file->scene.duration);
   const auto cells = static_cast<double>(mesh.tetrahedra.size());

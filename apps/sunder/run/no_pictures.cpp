@@ -12,17 +12,17 @@ Pictures& Pictures::operator=(Pictures&&) noexcept = default;
 Pictures::~Pictures() = default;
 
 std::optional<Finding> cannot_draw() {
-  return Finding{.code = "no_renderer",
-                 .text = "this sunder was built without the renderer",
-                 .remedy = "build with it: cmake --preset release -DSUNDER_BUILD_RENDERER=ON"};
+  return Finding{
+      .code = "no_renderer",
+      .text = "this sunder was built without the renderer",
+      .remedy = "build with the renderer: cmake --preset release -DSUNDER_BUILD_RENDERER=ON"};
 }
 
 Result<Pictures> Pictures::open(const Simulation&, const OutputSettings&) {
-  return Finding{.code = "no_renderer",
-                 .text = "pictures are requested, but this sunder was built without the renderer",
-                 .remedy =
-                     "leave out --png and the scene's output.pictures, or build with the "
-                     "renderer: cmake --preset release -DSUNDER_BUILD_RENDERER=ON"};
+  Finding reason = *cannot_draw();
+  reason.text = "pictures are requested, but " + reason.text;
+  reason.remedy = "leave out --png and the scene's output.pictures, or " + reason.remedy;
+  return reason;
 }
 
 std::vector<Finding> Pictures::draw(const std::filesystem::path&, const Simulation&) { return {}; }

@@ -13,8 +13,8 @@
 
 namespace sunder {
 
-/// The reason why no picture can be drawn on this machine, with a remedy; none where it can. Takes
-/// a tenth of a second.
+/// The reason why this machine draws no pictures, with a remedy; nothing if it draws them. Creates
+/// a graphics context. Errors in it: those of `HeadlessContext::create`, `no_renderer`.
 std::optional<Finding> cannot_draw();
 
 /// Whether pictures can be drawn on this machine. If not, a note gives the reason.

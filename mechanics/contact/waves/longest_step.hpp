@@ -16,9 +16,9 @@ double highest_of_element(const FirstOrderBlock& block, std::size_t lane,
 /// order, but scaled ones, share the mass of each node. With M_e the share of an element, and b its
 /// viscosity, (h^2 + 2 h b) K_e <= 4 M_e for each of them gives h^2 K + 2 h C <= 4 M: h is stable.
 /// The shares begin as those of `stable_step`, and grow twice with the eigenvalues that they allow.
-/// The step is five sixths of the h of the body with the shortest, and `stable_step` where that is
-/// more or a body is of second order. O(elements) for those whose nodes have changed. Needs: packed
-/// blocks.
+/// A body allows five sixths of its h, or `stable_step` if that is more or the body is of second
+/// order. The shortest step of all bodies is the result. Elements with the masses of the last call
+/// keep their eigenvalues. Needs: packed blocks.
 double longest_step(WaveBodies& waves);
 
 }  // namespace sunder

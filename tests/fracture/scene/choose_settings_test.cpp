@@ -101,6 +101,9 @@ TEST_CASE("good has the structs' defaults, whether anything breaks or not",
   const auto plain = values_of(Scene{});
   CHECK(values_of(chosen(falling(0))) == plain);
   CHECK(values_of(chosen(falling(50))) == plain);
+  Scene held = falling(5);
+  held.fracture.mode = FractureMode::off;
+  CHECK(values_of(chosen(held)) == plain);
 }
 
 TEST_CASE("lengths follow the cell beyond the range of everyday bodies", "[fracture][settings]") {
