@@ -28,6 +28,12 @@ Moment moment_of(const ContactScene& scene) {
   return now;
 }
 
+/// m
+struct Sizes {
+  double edge;   ///< the mean edge of the smaller solid, or the radius of a ball
+  double reach;  ///< from a mass centre to the farthest corner
+};
+
 /// One part of a step, or a part of that.
 struct Motion {
   Moment from, to;
@@ -71,18 +77,28 @@ double turn_of(const Motion& motion) {
   return most;
 }
 
+/// Parts of a motion between which straight ways of corners leave their arcs by a tenth of the
+/// tolerance (m) at most: the judge goes straight from frame to frame.
+int parts_of(const Motion& motion, double reach, double tolerance) {
+  constexpr double most_turn = 0.05;
+  const double turn = turn_of(motion);
+  return 1 + static_cast<int>(
+                 std::max(turn / most_turn, turn * std::sqrt(reach / (8 * 0.1 * tolerance))));
+}
+
 double deepest_of(const FrameOverlaps& overlaps) {
   return std::max(overlaps.pieces.depth, overlaps.obstacles.depth);
 }
 
 /// Adds the judgement of one part of a step.
-void judge_step(RandomPair& pair, const Motion& motion, const ContactScene& scene, double edge) {
-  constexpr double tolerance = 0.02, most_turn = 0.05;
-  const int moments = 1 + static_cast<int>(turn_of(motion) / most_turn);
+void judge_step(RandomPair& pair, const Motion& motion, const ContactScene& scene,
+                const Sizes& sizes) {
+  const double edge = sizes.edge, tolerance = 0.02 * edge;
+  const int moments = parts_of(motion, sizes.reach, tolerance);
   ContactFrame last = frame_at(motion, scene, 0);
   for (int k = 1; k <= moments; ++k) {
     ContactFrame now = frame_at(motion, scene, double(k) / moments);
-    for (const Crossing& c : judge_crossings(last, now, tolerance * edge)) {
+    for (const Crossing& c : judge_crossings(last, now, tolerance)) {
       pair.passed = pair.passed || c.passed;
     }
     last = std::move(now);
@@ -91,7 +107,6 @@ void judge_step(RandomPair& pair, const Motion& motion, const ContactScene& scen
   pair.deepest = std::max(pair.deepest, pair.last);
 }
 
-/// m: the mean edge of the smaller solid, or the radius of a ball.
 double edge_of(const RandomThrow& thrown) {
   if (thrown.ball > 0) return thrown.ball;
   ContactFrame smaller;
@@ -106,14 +121,15 @@ RandomPair run_random_pair(std::uint64_t seed) {
   const RandomThrow thrown = draw_throw(seed);
   ContactScene scene = scene_of(thrown);
   RandomPair pair{thrown.figures};
-  const double edge = edge_of(thrown), way = pair.speed * pair.time_step;
+  const Sizes sizes{edge_of(thrown), thrown.reach};
+  const double way = pair.speed * pair.time_step;
   constexpr int most_steps = 100, after = 4;
   int left = std::min(most_steps, 2 + static_cast<int>((thrown.gap + 3 * thrown.reach) / way));
   Motion motion{moment_of(scene), {}};
   for (; left > 0; --left) {
     const ContactStepResult result = scene.step_in_parts([&] {
       motion.to = moment_of(scene);
-      judge_step(pair, motion, scene, edge);
+      judge_step(pair, motion, scene, sizes);
       motion.from = std::move(motion.to);
     });
     if (result.report.contacts > 0 && !pair.met) {
